@@ -1,0 +1,42 @@
+// What strategies build their layouts from: the trees of one scene, and its geometry. All of it is the
+// caller's and outlives the layout.
+#pragma once
+
+#include <cstddef>
+
+#include "../bvh.h"
+#include "../intersect.h"
+#include "../primitives/list.h"
+
+namespace ctpbench {
+
+struct TreeView {
+    const BvhNode* nodes = nullptr;
+    const PrimitiveRef* refs = nullptr;
+    std::size_t node_count = 0;
+    std::size_t ref_count = 0;
+};
+
+// Which trees a strategy traverses.
+enum class TreeKind {
+    mixed,         // one tree, leaves of any mixture
+    typed_leaves,  // one tree, a leaf holds one type
+    per_type,      // a tree for each type
+};
+
+inline constexpr std::size_t kPrimitiveTypes = Primitives<Watertight>::size;
+
+struct LayoutInput {
+    TreeView mixed;
+    TreeView typed_leaves;
+    TreeView per_type[kPrimitiveTypes];
+    GeometryView geometry;
+};
+
+// For strategies that need one pass only.
+template <class Methods, class View, class ForEach>
+void intersect_in_one_pass(const View& view, const IntersectBuffers& io, ForEach&& for_each) {
+    for_each(io.count, IntersectKernel<Methods, View>{view, io});
+}
+
+}  // namespace ctpbench

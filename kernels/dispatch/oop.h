@@ -1,0 +1,63 @@
+// Runtime polymorphism: one tree whose leaves hold base-class pointers, tested by virtual calls. Each
+// object is a heap allocation of its own, made in scene order, as a class hierarchy's user has them.
+#pragma once
+
+#include <memory>
+
+#include "../oop.h"
+#include "mixed_leaves.h"
+
+namespace ctpbench {
+
+template <class Methods>
+struct VirtualVisit {
+    CTP_INLINE void operator()(const PrimitiveBase<Methods>* e, const RayContext<Methods>& ray,
+                               Hit& hit) const {
+        e->intersect(ray, hit);
+    }
+};
+
+template <class Methods>
+struct Oop {
+    static constexpr const char* name = "oop";
+    static constexpr TreeKind tree = TreeKind::mixed;
+    using Base = PrimitiveBase<Methods>;
+
+    class Layout {
+    public:
+        explicit Layout(const LayoutInput& in) : nodes_(in.mixed.nodes) {
+            std::size_t first[kPrimitiveTypes], type = 0;
+            objects_.reserve(in.geometry.size());
+            for_each_type(Primitives<Methods>{}, [&](auto tag) {
+                using T = typename decltype(tag)::type;
+                first[type++] = objects_.size();
+                for (std::uint32_t i = 0; i < T::count(in.geometry); ++i)
+                    objects_.push_back(
+                        std::make_unique<PrimitiveObject<Methods, T>>(T::make(in.geometry, i)));
+                bytes_ += T::count(in.geometry) * sizeof(PrimitiveObject<Methods, T>);
+            });
+            elements_.reserve(in.mixed.ref_count);
+            for (std::size_t i = 0; i < in.mixed.ref_count; ++i) {
+                const PrimitiveRef ref = in.mixed.refs[i];
+                elements_.push_back(objects_[first[ref.type] + ref.index].get());
+            }
+        }
+        MixedLeaves<Methods, const Base*, VirtualVisit<Methods>> view() const {
+            return {nodes_, elements_.data()};
+        }
+        std::size_t bytes() const { return bytes_ + elements_.size() * sizeof(Base*); }
+
+    private:
+        const BvhNode* nodes_;
+        std::vector<std::unique_ptr<Base>> objects_;
+        std::vector<const Base*> elements_;
+        std::size_t bytes_ = 0;
+    };
+
+    template <class ForEach>
+    static void intersect(const Layout& layout, const IntersectBuffers& io, bool, ForEach&& for_each) {
+        intersect_in_one_pass<Methods>(layout.view(), io, for_each);
+    }
+};
+
+}  // namespace ctpbench

@@ -1,0 +1,84 @@
+// The paper's "kernel restart": a tree per primitive type, traversed by one kernel after another. With
+// carry_t the closest t of one pass bounds the next one's search; without it each pass starts afresh and
+// the nearer hit is kept.
+#pragma once
+
+#include <tuple>
+
+#include "../traverse.h"
+#include "typed_array.h"
+
+namespace ctpbench {
+
+template <class Methods>
+struct Restart {
+    static constexpr const char* name = "restart";
+    static constexpr TreeKind tree = TreeKind::per_type;
+
+    template <class T>
+    struct View {
+        const BvhNode* nodes;
+        TypedArray<Methods, T> array;
+
+        CTP_INLINE void closest_hit(const RayContext<Methods>& ray, Hit& hit) const {
+            traverse<Methods>(nodes, ray, hit,
+                              [&](const BvhNode& leaf) { array.intersect_leaf(leaf, ray, hit); });
+        }
+    };
+
+    template <class... Ts>
+    using Arrays = std::tuple<std::vector<Ts>...>;
+
+    class Layout {
+    public:
+        explicit Layout(const LayoutInput& in) {
+            for_each_type(Primitives<Methods>{}, [&](auto tag) {
+                using T = typename decltype(tag)::type;
+                const TreeView& tree = in.per_type[index_of<T, Primitives<Methods>>];
+                nodes_[index_of<T, Primitives<Methods>>] = tree.nodes;
+                auto& array = std::get<std::vector<T>>(arrays_);
+                array.reserve(tree.ref_count);
+                for (std::size_t i = 0; i < tree.ref_count; ++i)
+                    array.push_back(T::make(in.geometry, tree.refs[i].index));
+            });
+        }
+        template <class T>
+        View<T> view() const {
+            return {nodes_[index_of<T, Primitives<Methods>>], {std::get<std::vector<T>>(arrays_).data()}};
+        }
+        // A type that the scene lacks has no tree and needs no pass.
+        template <class T>
+        bool has() const {
+            return !std::get<std::vector<T>>(arrays_).empty();
+        }
+        std::size_t bytes() const {
+            std::size_t total = 0;
+            std::apply([&](const auto&... a) { ((total += a.size() * sizeof(a[0])), ...); }, arrays_);
+            return total;
+        }
+
+    private:
+        const BvhNode* nodes_[kPrimitiveTypes];
+        Rebind<Arrays, Primitives<Methods>> arrays_;
+    };
+
+    template <class ForEach>
+    static void intersect(const Layout& layout, const IntersectBuffers& io, bool carry_t,
+                          ForEach&& for_each) {
+        bool first = true;
+        for_each_type(Primitives<Methods>{}, [&](auto tag) {
+            using T = typename decltype(tag)::type;
+            if (!layout.template has<T>()) return;
+            const View<T> view = layout.template view<T>();
+            if (first)
+                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::first>{view, io});
+            else if (carry_t)
+                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::carry>{view, io});
+            else
+                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::merge>{view, io});
+            first = false;
+        });
+    }
+};
+
+}  // namespace ctpbench

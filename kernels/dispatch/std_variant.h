@@ -1,0 +1,29 @@
+// The standard library's variant in place of the paper's: what a user who writes no variant gets.
+#pragma once
+
+#include <variant>
+
+#include "mixed_leaves.h"
+
+namespace ctpbench {
+
+template <class Methods>
+struct StdVariant {
+    static constexpr const char* name = "std_variant";
+    static constexpr TreeKind tree = TreeKind::mixed;
+    using Element = Rebind<std::variant, Primitives<Methods>>;
+
+    struct Visit {
+        CTP_INLINE void operator()(const Element& e, const RayContext<Methods>& ray, Hit& hit) const {
+            std::visit([&](const auto& primitive) { primitive.intersect(ray, hit); }, e);
+        }
+    };
+    using Layout = SumTypeLayout<Methods, Element, Visit>;
+
+    template <class ForEach>
+    static void intersect(const Layout& layout, const IntersectBuffers& io, bool, ForEach&& for_each) {
+        intersect_in_one_pass<Methods>(layout.view(), io, for_each);
+    }
+};
+
+}  // namespace ctpbench

@@ -1,0 +1,83 @@
+// One tree in which a leaf holds one type, named in the leaf word: one branch per leaf rather than per
+// primitive, and each type in an array of its own, without tags or padding.
+#pragma once
+
+#include <tuple>
+
+#include "../node_array.h"
+#include "../traverse.h"
+#include "typed_array.h"
+
+namespace ctpbench {
+
+template <class Methods>
+struct TypedLeaves {
+    static constexpr const char* name = "typed_leaves";
+    static constexpr TreeKind tree = TreeKind::typed_leaves;
+
+    template <class... Ts>
+    struct ArraysOf : TypedArray<Methods, Ts>... {};
+    using Arrays = Rebind<ArraysOf, Primitives<Methods>>;
+
+    struct View {
+        const BvhNode* nodes;  // a leaf's `first` counts in its type's array
+        Arrays arrays;
+
+        CTP_INLINE void closest_hit(const RayContext<Methods>& ray, Hit& hit) const {
+            traverse<Methods>(nodes, ray, hit, [&](const BvhNode& leaf) {
+                visit_type<Primitives<Methods>>(leaf.type(), [&](auto tag) {
+                    using T = typename decltype(tag)::type;
+                    static_cast<const TypedArray<Methods, T>&>(arrays).intersect_leaf(leaf, ray, hit);
+                });
+            });
+        }
+    };
+
+    template <class... Ts>
+    using Vectors = std::tuple<std::vector<Ts>...>;
+
+    class Layout {
+    public:
+        explicit Layout(const LayoutInput& in)
+            : nodes_(in.typed_leaves.nodes, in.typed_leaves.nodes + in.typed_leaves.node_count) {
+            // Leaves are rewritten in the order of their references, so each type's array is in leaf order.
+            std::vector<std::uint32_t> place(in.typed_leaves.ref_count);
+            for (std::size_t i = 0; i < in.typed_leaves.ref_count; ++i) {
+                const PrimitiveRef ref = in.typed_leaves.refs[i];
+                visit_type<Primitives<Methods>>(ref.type, [&](auto tag) {
+                    using T = typename decltype(tag)::type;
+                    auto& elements = std::get<std::vector<T>>(vectors_);
+                    place[i] = static_cast<std::uint32_t>(elements.size());
+                    elements.push_back(T::make(in.geometry, ref.index));
+                });
+            }
+            for (BvhNode& node : nodes_)
+                if (node.is_leaf()) node.first = place[node.first];
+        }
+        View view() const {
+            View view{nodes_.data(), {}};
+            for_each_type(Primitives<Methods>{}, [&](auto tag) {
+                using T = typename decltype(tag)::type;
+                static_cast<TypedArray<Methods, T>&>(view.arrays).elements =
+                    std::get<std::vector<T>>(vectors_).data();
+            });
+            return view;
+        }
+        std::size_t bytes() const {
+            std::size_t total = nodes_.size() * sizeof(BvhNode);
+            std::apply([&](const auto&... v) { ((total += v.size() * sizeof(v[0])), ...); }, vectors_);
+            return total;
+        }
+
+    private:
+        NodeArray nodes_;
+        Rebind<Vectors, Primitives<Methods>> vectors_;
+    };
+
+    template <class ForEach>
+    static void intersect(const Layout& layout, const IntersectBuffers& io, bool, ForEach&& for_each) {
+        intersect_in_one_pass<Methods>(layout.view(), io, for_each);
+    }
+};
+
+}  // namespace ctpbench

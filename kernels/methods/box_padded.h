@@ -1,0 +1,66 @@
+// Slab test that never misses a primitive's hit, for use with methods/triangle_watertight.h.
+//
+// Every slab is widened by 2^-20 (max |o| + extent), extent being the scene's largest |coordinate|. That
+// covers three errors, each at most a quarter of it: this test's own rounding (compare Ize, "Robust BVH
+// Ray Traversal", JCGT 2(2), 2013), the lateral distance between the ray and the point that a
+// primitive's test reports, and the rounding of its t. A node that holds the reported point is therefore
+// entered at or before t, so two trees over the same primitives keep the same closest hit. The padding
+// is per ray, which makes the test cost one fused multiply-add per plane, like the plain one.
+#pragma once
+
+#include "../bvh.h"
+#include "../ray.h"
+
+namespace ctpbench {
+
+struct PaddedBox {
+    struct RaySetup {
+        float ix, iy, iz;  // reciprocal direction, finite
+        float near_x, near_y, near_z;
+        float far_x, far_y, far_z;
+        int plane_x, plane_y, plane_z;  // offset of the near plane in BvhNode::bounds
+    };
+
+    // A component below 2^-40 of the largest moves a ray by less than the padding over any length in
+    // the scene: raising it to that keeps the reciprocal finite and the products free of NaN.
+    CTP_INLINE static float reciprocal(float d, float largest) {
+        const float least = largest * 0x1p-40f;
+        return 1.0f / (absolute(d) < least ? least : d);
+    }
+
+    CTP_INLINE static RaySetup setup(const Ray& ray, float extent) {
+        const Vec3 o = ray.origin, d = ray.direction;
+        const float largest = max(max(absolute(d.x), absolute(d.y)), absolute(d.z));
+        const float pad = 0x1p-20f * (max(max(absolute(o.x), absolute(o.y)), absolute(o.z)) + extent);
+        const Vec3 inv = {reciprocal(d.x, largest), reciprocal(d.y, largest), reciprocal(d.z, largest)};
+        const Vec3 oi = o * inv;
+        const Vec3 p = {pad * absolute(inv.x), pad * absolute(inv.y), pad * absolute(inv.z)};
+        return {inv.x,
+                inv.y,
+                inv.z,  //
+                -(oi.x + p.x),
+                -(oi.y + p.y),
+                -(oi.z + p.z),  //
+                -(oi.x - p.x),
+                -(oi.y - p.y),
+                -(oi.z - p.z),  //
+                inv.x < 0.0f ? 3 : 0,
+                inv.y < 0.0f ? 4 : 1,
+                inv.z < 0.0f ? 5 : 2};
+    }
+
+    // Whether the ray can meet the box at or before tmax; `near` is where it enters, rounded down.
+    CTP_INLINE static bool test(const BvhNode& node, const RaySetup& r, float tmax, float& near) {
+        const float* b = node.bounds;
+        const float nx = fma(b[r.plane_x], r.ix, r.near_x);
+        const float ny = fma(b[r.plane_y], r.iy, r.near_y);
+        const float nz = fma(b[r.plane_z], r.iz, r.near_z);
+        const float fx = fma(b[3 - r.plane_x], r.ix, r.far_x);
+        const float fy = fma(b[5 - r.plane_y], r.iy, r.far_y);
+        const float fz = fma(b[7 - r.plane_z], r.iz, r.far_z);
+        near = max(max(nx, ny), max(nz, 0.0f));
+        return near <= min(min(fx, fy), min(fz, tmax));
+    }
+};
+
+}  // namespace ctpbench

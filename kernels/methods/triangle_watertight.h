@@ -1,0 +1,68 @@
+// Woop, Benthin & Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, with the edge functions
+// evaluated as Kahan's difference of products. Their signs are then exact for the sheared vertices, so
+// that the paper's float64 fallback is not needed.
+//
+// The point U A + V B + W C that t stands for lies on the triangle and within a few ulps of the largest
+// coordinate of the ray, whatever the angle between them. The box test's padding covers that distance:
+// together they make hits independent of the tree (methods/box_padded.h).
+#pragma once
+
+#include "../primitives/shapes.h"
+#include "../ray.h"
+
+namespace ctpbench {
+
+// a b - c d with an error below 1.5 ulp (Jeannerod, Louvet & Muller 2013).
+CTP_INLINE float difference_of_products(float a, float b, float c, float d) {
+    const float w = c * d;
+    return fma(a, b, -w) + fma(-c, d, w);
+}
+
+struct WatertightTriangle {
+    struct Shape {
+        float vertex[3][3];
+    };
+    // The axis of the direction's largest component becomes z; the shear maps the ray to (0, 0, 1).
+    struct RaySetup {
+        int kx, ky, kz;
+        float ox, oy, oz;
+        float sx, sy, sz;
+    };
+
+    CTP_INLINE static Shape shape(const TriangleShape& t) {
+        return {{{t.a.x, t.a.y, t.a.z}, {t.b.x, t.b.y, t.b.z}, {t.c.x, t.c.y, t.c.z}}};
+    }
+
+    CTP_INLINE static RaySetup setup(const Ray& ray) {
+        const Vec3 o = ray.origin, d = ray.direction;
+        const float ax = absolute(d.x), ay = absolute(d.y), az = absolute(d.z);
+        const int kz = ax > ay ? (ax > az ? 0 : 2) : (ay > az ? 1 : 2);
+        const int kx = kz == 2 ? 0 : kz + 1;
+        const int ky = kx == 2 ? 0 : kx + 1;
+        const float r = 1.0f / d[kz];
+        return {kx, ky, kz, o[kx], o[ky], o[kz], d[kx] * r, d[ky] * r, r};
+    }
+
+    CTP_INLINE static void intersect(const Shape& s, std::uint32_t id, const RaySetup& r, Hit& hit) {
+        const float az = s.vertex[0][r.kz] - r.oz;
+        const float bz = s.vertex[1][r.kz] - r.oz;
+        const float cz = s.vertex[2][r.kz] - r.oz;
+        const float ax = fma(-r.sx, az, s.vertex[0][r.kx] - r.ox);
+        const float ay = fma(-r.sy, az, s.vertex[0][r.ky] - r.oy);
+        const float bx = fma(-r.sx, bz, s.vertex[1][r.kx] - r.ox);
+        const float by = fma(-r.sy, bz, s.vertex[1][r.ky] - r.oy);
+        const float cx = fma(-r.sx, cz, s.vertex[2][r.kx] - r.ox);
+        const float cy = fma(-r.sy, cz, s.vertex[2][r.ky] - r.oy);
+        const float u = difference_of_products(cx, by, cy, bx);
+        const float v = difference_of_products(ax, cy, ay, cx);
+        const float w = difference_of_products(bx, ay, by, ax);
+        if (min(min(u, v), w) < 0.0f && max(max(u, v), w) > 0.0f) return;
+        const float det = (u + v) + w;
+        if (det == 0.0f) return;
+        const float inv = 1.0f / det;
+        const float t = fma(u, az, fma(v, bz, w * cz)) * (r.sz * inv);
+        if (hit.accepts(t, id)) hit = {t, id, v * inv, w * inv};
+    }
+};
+
+}  // namespace ctpbench

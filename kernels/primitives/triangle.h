@@ -1,0 +1,26 @@
+// The triangle primitive, in the form that the bundle's test wants.
+#pragma once
+
+#include "../methods/bundles.h"
+#include "geometry.h"
+
+namespace ctpbench {
+
+template <class Methods>
+struct Triangle {
+    static constexpr const char* name = "triangle";
+
+    typename Methods::Triangle::Shape shape;
+    std::uint32_t id;
+
+    static Triangle make(const GeometryView& g, std::uint32_t index) {
+        return {Methods::Triangle::shape(g.triangle(index)), index};
+    }
+    static std::uint32_t count(const GeometryView& g) { return g.triangle_count; }
+
+    CTP_INLINE void intersect(const RayContext<Methods>& ray, Hit& hit) const {
+        Methods::Triangle::intersect(shape, id, ray.triangle, hit);
+    }
+};
+
+}  // namespace ctpbench

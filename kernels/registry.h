@@ -1,0 +1,17 @@
+// The extension point: the lists of contenders. Names, help texts and instantiations derive from them.
+#pragma once
+
+#include "dispatch/ctp.h"
+#include "dispatch/oop.h"
+#include "dispatch/oop_arena.h"
+#include "dispatch/restart.h"
+#include "dispatch/std_variant.h"
+#include "dispatch/typed_leaves.h"
+
+namespace ctpbench {
+
+template <class Methods>
+using IntersectStrategies = TypeList<Ctp<Methods>, StdVariant<Methods>, Oop<Methods>, OopArena<Methods>,
+                                     Restart<Methods>, TypedLeaves<Methods>>;
+
+}  // namespace ctpbench

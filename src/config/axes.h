@@ -1,0 +1,51 @@
+// The axes that a config's matrix spans. A further axis is a member, a line in for_each_axis() and its
+// place in Cell (cells.h); reading, writing, excluding and including follow from these.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ctpbench {
+
+// Values along each axis, in the order written. In `exclude` an empty axis stands for any value.
+struct Axes {
+    std::vector<std::string> scene;
+    std::vector<std::uint32_t> spheres;
+    std::vector<double> sphere_radius;  // as a share of the spheres' mean spacing
+    std::vector<std::string> builder;
+    std::vector<std::string> backend;
+    std::vector<std::string> strategy;
+    std::vector<bool> restart_carries_t;
+    std::vector<std::string> traversal;
+    std::vector<std::string> methods;
+
+    bool operator==(const Axes&) const = default;
+};
+
+// What an axis has that the config does not mention.
+inline Axes default_axes() {
+    return {{"smoke"}, {1000}, {0.03}, {"quality"}, {"cpu"}, {"ctp"}, {true}, {"single"}, {"watertight"}};
+}
+
+// Whether the axis belongs to what is traced, not to who traces it.
+inline bool is_workload_axis(std::string_view name) {
+    return name == "scene" || name == "spheres" || name == "sphere_radius" || name == "builder";
+}
+
+// Calls f(name, values) for each axis.
+template <class AxesOrConst, class F>
+void for_each_axis(AxesOrConst& axes, F&& f) {
+    f("scene", axes.scene);
+    f("spheres", axes.spheres);
+    f("sphere_radius", axes.sphere_radius);
+    f("builder", axes.builder);
+    f("backend", axes.backend);
+    f("strategy", axes.strategy);
+    f("restart_carries_t", axes.restart_carries_t);
+    f("traversal", axes.traversal);
+    f("methods", axes.methods);
+}
+
+}  // namespace ctpbench

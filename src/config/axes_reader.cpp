@@ -1,0 +1,79 @@
+#include "config/axes_reader.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "base/suggest.h"
+
+namespace ctpbench {
+namespace {
+
+class ElementReader {
+public:
+    ElementReader(std::string_view axis, const KnownNames& known) : axis_(axis), known_(known) {}
+
+    bool read(const JsonValue& element, std::string& value) const {
+        if (!element.read(value)) return false;
+        return axis_ == "scene" ? is_scene_name(element, value) : is_choice(element, value);
+    }
+    bool read(const JsonValue& element, std::uint32_t& value) const {
+        return element.read(value, range(0, max_spheres));
+    }
+    bool read(const JsonValue& element, double& value) const { return element.read(value, {0, 10, false}); }
+    bool read(const JsonValue& element, bool& value) const { return element.read(value); }
+
+private:
+    // Which scenes there are shows only when they are loaded.
+    static bool is_scene_name(const JsonValue& element, const std::string& name) {
+        if (!name.empty() && name.find('/') == std::string::npos) return true;
+        element.error("give a scene file's name without folder and \".json\"; --scene-dir adds folders");
+        return false;
+    }
+
+    bool is_choice(const JsonValue& element, const std::string& name) const {
+        const std::vector<std::string> choices = axis_ == "strategy"    ? known_.all_strategies()
+                                                 : axis_ == "traversal" ? known_.traversals
+                                                 : axis_ == "methods"   ? known_.methods
+                                                 : axis_ == "builder"   ? known_.builders
+                                                                        : known_.backends;
+        if (std::find(choices.begin(), choices.end(), name) != choices.end()) return true;
+        element.error(unknown_name(axis_, name, choices));
+        return false;
+    }
+
+    std::string_view axis_;
+    const KnownNames& known_;
+};
+
+template <class T>
+void read_axis(const JsonValue& written, const ElementReader& reader, std::vector<T>& values) {
+    std::vector<T> read;
+    const std::vector<JsonValue> elements = written.list_or_one();
+    if (elements.empty()) written.error("an axis needs a value; give one, or remove the key");
+    for (const JsonValue& element : elements) {
+        T value{};
+        if (!reader.read(element, value)) continue;
+        if (std::find(read.begin(), read.end(), value) != read.end()) {
+            element.error("is here twice; remove one of the two");
+        } else {
+            read.push_back(value);
+        }
+    }
+    if (!read.empty()) values = std::move(read);
+}
+
+}  // namespace
+
+void read_axes(const JsonObject& object, bool measure, const KnownNames& known, Axes& axes) {
+    for_each_axis(axes, [&](std::string_view axis, auto& values) {
+        const JsonValue value = object.value(axis);
+        if (!value.present()) return;
+        if (!measure && !is_workload_axis(axis)) {
+            value.error("means nothing as \"measure\" is false; remove one of the two");
+        } else {
+            read_axis(value, ElementReader(axis, known), values);
+        }
+    });
+}
+
+}  // namespace ctpbench

@@ -1,0 +1,211 @@
+#include "config/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <map>
+
+#include "base/error.h"
+#include "base/suggest.h"
+
+namespace ctpbench {
+namespace {
+
+constexpr const char* footer = R"(
+Examples:
+  ctpbench --config configs/smoke.json --out results/smoke
+  ctpbench --config configs/table3.json --filter conference/1000/ --rounds 5
+  ctpbench --config configs/table3.json --set /matrix/spheres=1000 --dry-run
+  ctpbench scene conference --spheres 1000 --image conference.png
+
+Exit codes:
+  0 ok   1 defect of the program   2 command line, config or scene file   3 scene missing
+  4 a contender disagrees with the oracle   7 backend cannot run here   8 results cannot be written
+  130 interrupted)";
+
+const std::map<std::string, SceneChoice> scene_preferences = {
+    {"auto", SceneChoice::auto_},
+    {"real", SceneChoice::real},
+    {"stand-in", SceneChoice::stand_in},
+};
+
+[[noreturn]] void refuse(const std::string& problem) {
+    throw Error(ExitCode::usage, "ctpbench: error: " + problem);
+}
+
+// Digits alone: the library would wrap -1 around to a huge number and take 010 for eight.
+CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
+    const auto problem = [low, high](const std::string& text) -> std::string {
+        std::uint64_t value = 0;
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool octal = text.size() > 1 && text.front() == '0';
+        const bool whole = failure == std::errc() && end == text.data() + text.size() && !octal;
+        if (whole && value >= low && value <= high) return {};
+        return "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
+               ", found " + text;
+    };
+    return CLI::Validator(problem, "");
+}
+
+// One parse: the options, where they go, and what they ask for.
+class Parser {
+public:
+    Parser() {
+        app_.footer(footer);
+        app_.set_version_flag(
+            "--version", [] { return std::string(); }, "Print the version and stop");
+        app_.require_subcommand(0, 1);
+        add_shared_options();
+        run_->fallthrough();
+        scene_->fallthrough();
+        add_run_options();
+        add_scene_options();
+    }
+
+    CommandLine parse(int argc, const char* const* argv) {
+        try {
+            app_.parse(argc, argv);
+        } catch (const CLI::CallForHelp&) {
+            line_.action = CommandLine::Action::help;
+            line_.help_text = scene_->parsed() ? scene_->help("ctpbench") : app_.help();
+            return line_;
+        } catch (const CLI::CallForVersion&) {
+            line_.action = CommandLine::Action::version;
+            return line_;
+        } catch (const CLI::ExtrasError&) {
+            refuse_unknown(app_.remaining(true).front());
+        } catch (const CLI::ParseError& error) {
+            refuse(std::string(error.what()) + "; see ctpbench --help");
+        }
+        line_.scenes = scene_preferences.at(scenes_);
+        line_.scene_dirs.assign(scene_dirs_.begin(), scene_dirs_.end());
+        if (scene_->parsed()) {
+            finish_scene();
+        } else {
+            finish_run();
+        }
+        return line_;
+    }
+
+private:
+    void add_shared_options() {
+        app_.add_option("--scene-dir", scene_dirs_, "Folder with scene files and meshes; may be repeated")
+            ->type_name("DIR")
+            ->allow_extra_args(false);
+        app_.add_option("--scenes", scenes_,
+                        "Take meshes or procedural stand-ins; auto: stand-ins where a mesh is missing")
+            ->type_name("WHICH")
+            ->check(CLI::IsMember({"auto", "real", "stand-in"}))
+            ->capture_default_str();
+        app_.add_option("--threads", line_.threads, "Threads; 0: all that the machine allows")
+            ->type_name("N")
+            ->check(whole_number(0, max_threads));
+        app_.add_option("--seed", line_.seed, "Seed of every random number")
+            ->type_name("N")
+            ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
+        app_.add_flag("--quiet", line_.quiet, "No progress, only results and errors");
+    }
+
+    void add_run_options() {
+        const auto run_only = [this](CLI::Option* option) {
+            run_only_.push_back(option);
+            return option->group("Run");
+        };
+        run_only(app_.add_option("--config", line_.config, "Experiment to run"))->type_name("FILE");
+        run_only(app_.add_option("--out", line_.out, "Folder for the results"))->type_name("DIR");
+        run_only(app_.add_option("--rounds", rounds_, "Times that each contender is measured"))
+            ->type_name("N")
+            ->check(whole_number(1, max_rounds));
+        run_only(app_.add_option("--filter", line_.filter,
+                                 "Run only the cells whose name contains TEXT; --dry-run shows the names"))
+            ->type_name("TEXT");
+        run_only(app_.add_option("--set", sets_, "Change a value of the config; may be repeated"))
+            ->type_name("/POINTER=VALUE")
+            ->allow_extra_args(false);
+        run_only(app_.add_flag("--dry-run", dry_run_, "Show the cells and stop"));
+        run_only(app_.add_flag("--list", list_, "Show the names that a config may use and stop"));
+    }
+
+    void add_scene_options() {
+        scene_->add_option("name", line_.scene, "Scene to render")->type_name("")->required();
+        scene_->add_option("--image", line_.image, "Image to write")->type_name("PNG")->required();
+        const auto number = [this](const char* name, std::uint32_t& value, const char* help,
+                                   std::uint32_t low, std::uint32_t high) {
+            scene_->add_option(name, value, help)
+                ->type_name("N")
+                ->check(whole_number(low, high))
+                ->capture_default_str();
+        };
+        number("--width", line_.width, "Pixels", 1, max_image_side);
+        number("--height", line_.height, "Pixels", 1, max_image_side);
+        number("--spheres", line_.spheres, "Spheres to scatter", 0, max_spheres);
+        scene_->footer(
+            "Takes --scene-dir, --scenes, --threads, --seed and --quiet too; see ctpbench --help.");
+    }
+
+    void finish_scene() {
+        line_.action = CommandLine::Action::render_scene;
+        for (const CLI::Option* option : run_only_) {
+            if (option->count() > 0) {
+                refuse(option->get_name() + " means nothing to ctpbench scene; see ctpbench scene --help");
+            }
+        }
+    }
+
+    void finish_run() {
+        if (list_) {
+            line_.action = CommandLine::Action::list;
+        } else if (line_.config.empty()) {
+            refuse(
+                "no experiment named; give one with --config, or see what there is with --list and --help");
+        } else if (dry_run_) {
+            line_.action = CommandLine::Action::dry_run;
+        }
+        for (const std::string& assignment : sets_)
+            line_.edits.push_back({assignment, "--set " + assignment});
+        add_edit("threads", line_.threads);
+        add_edit("rounds", rounds_);
+        add_edit("seed", line_.seed);
+    }
+
+    template <class T>
+    void add_edit(const std::string& key, const std::optional<T>& value) {
+        if (!value) return;
+        const std::string text = std::to_string(*value);
+        line_.edits.push_back({"/" + key + "=" + text, "--" + key + " " + text});
+    }
+
+    [[noreturn]] void refuse_unknown(const std::string& argument) const {
+        std::vector<std::string> known = {"run", "scene"};
+        for (const CLI::App* app : {&app_, static_cast<const CLI::App*>(scene_)}) {
+            for (const CLI::Option* option : app->get_options()) known.push_back(option->get_name());
+        }
+        if (std::find(known.begin(), known.end(), argument) != known.end()) {
+            refuse(argument + " is not expected here; see ctpbench --help");
+        }
+        const auto nearest = nearest_name(argument.substr(0, argument.find('=')), known);
+        refuse("unknown argument " + argument +
+               (nearest ? "; did you mean " + *nearest + "?" : "; see ctpbench --help"));
+    }
+
+    CommandLine line_;
+    std::vector<std::string> scene_dirs_;
+    std::vector<std::string> sets_;
+    std::string scenes_ = "auto";
+    std::optional<std::uint32_t> rounds_;
+    bool dry_run_ = false;
+    bool list_ = false;
+    std::vector<const CLI::Option*> run_only_;
+
+    CLI::App app_{"Measures how a ray tracer's inner loop should branch on the type of a primitive.",
+                  "ctpbench"};
+    CLI::App* run_ = app_.add_subcommand("run", "Run an experiment; implied if no subcommand is named");
+    CLI::App* scene_ = app_.add_subcommand("scene", "Render one scene into an image");
+};
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, const char* const* argv) { return Parser().parse(argc, argv); }
+
+}  // namespace ctpbench

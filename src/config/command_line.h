@@ -1,0 +1,51 @@
+// The command line as a plain struct. What the values mean is for others to know; here they are only read.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "config/scene_choice.h"
+
+namespace ctpbench {
+
+struct CommandLine {
+    enum class Action {
+        run,
+        dry_run,       // show the cells and stop
+        list,          // show the names that a config may use and stop
+        render_scene,  // draw one scene into an image
+        version,
+        help,  // print help_text
+    };
+    Action action = Action::run;
+    std::string help_text;
+
+    // For every action that needs scenes.
+    std::vector<std::filesystem::path> scene_dirs;  // searched in this order, before the program's own
+    SceneChoice scenes = SceneChoice::auto_;
+    std::optional<std::uint32_t> threads;
+    std::optional<std::uint64_t> seed;
+    bool quiet = false;
+
+    // run and dry_run
+    std::filesystem::path config;
+    std::filesystem::path out;  // empty: not given
+    std::string filter;
+    std::vector<ConfigEdit> edits;  // --set in the order given, then --threads, --rounds and --seed
+
+    // render_scene
+    std::string scene;
+    std::filesystem::path image;
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::uint32_t spheres = 0;
+};
+
+// Throws Error(usage) with the problem and a hint.
+CommandLine parse_command_line(int argc, const char* const* argv);
+
+}  // namespace ctpbench

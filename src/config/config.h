@@ -1,0 +1,74 @@
+// An experiment as plain data: what to run, over which matrix, and what to report.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "config/axes.h"
+
+namespace ctpbench {
+
+class JsonDocument;
+
+inline constexpr int config_schema_version = 1;
+inline constexpr std::uint32_t max_image_side = 16384;
+inline constexpr std::uint32_t max_spheres = 50'000'000;
+inline constexpr std::uint32_t max_threads = 1024;
+inline constexpr std::uint32_t max_rounds = 10'000;
+
+struct Config {
+    std::string experiment;  // names the results; letters, digits, '_', '-' and '.'
+    std::string description;
+    bool measure = true;  // false: trees are built and counted, nothing is traced
+
+    Axes matrix = default_axes();
+    std::vector<Axes> exclude;  // what matches one of these leaves the matrix
+    std::vector<Axes> include;  // further matrices, appended; a missing axis has its default
+
+    std::uint32_t width = 2560;  // pixels
+    std::uint32_t height = 1024;
+    std::uint32_t bounces = 10;  // intersections of a path after the camera ray's
+    std::uint32_t rounds = 11;   // times that each contender is measured
+    std::uint64_t seed = 1;
+    std::uint32_t threads = 0;          // 0: all that the machine allows
+    std::string reference = "ctp";      // strategy that records the rays and that ratios refer to
+    std::uint32_t batch_rays = 131072;  // rays timed of each bounce; 0: all
+    std::uint32_t oracle_rays = 20000;  // rays of each bounce that the oracle checks
+    std::vector<std::string> tables;    // of the paper, to be written beside the rows
+
+    bool operator==(const Config&) const = default;
+};
+
+// The names that a config may use; the program passes what it has. The reader knows none by itself.
+struct KnownNames {
+    std::vector<std::string> strategies;
+    std::vector<std::string> yardsticks;  // also strategies, but with traversal and arithmetic of their own
+    std::vector<std::string> traversals;
+    std::vector<std::string> methods;
+    std::vector<std::string> builders;
+    std::vector<std::string> backends = {"cpu"};
+    std::vector<std::string> tree_tables = {"table2"};   // need trees only
+    std::vector<std::string> speed_tables = {"table3"};  // need measurements
+
+    std::vector<std::string> all_strategies() const;
+    std::vector<std::string> all_tables() const;
+};
+
+// Both throw Error(usage) with every mistake in it, each on a line with its place.
+Config read_config(JsonDocument document, const KnownNames& known);
+
+// A change from the command line: `/json/pointer=value`, and the option that asked for it.
+struct ConfigEdit {
+    std::string assignment;
+    std::string option;
+};
+Config load_config(const std::filesystem::path& path, const std::vector<ConfigEdit>& edits,
+                   const KnownNames& known);
+
+// The config with every default filled in; reading that gives the same config again.
+nlohmann::json to_json(const Config& config);
+
+}  // namespace ctpbench

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "base/json_reader.h"
+#include "base/suggest.h"
+#include "config/axes_reader.h"
+#include "config/cells.h"
+#include "config/config.h"
+
+namespace ctpbench {
+namespace {
+
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+constexpr double max_rays = 1u << 28;
+constexpr double max_cells = 100'000;
+
+void read_header(const JsonObject& root, Config& config) {
+    std::string schema;  // for editors only
+    root.get("$schema", schema);
+    int version = config_schema_version;
+    if (root.require("schema_version", version) && version != config_schema_version) {
+        root.error("schema_version", "this program reads version " + std::to_string(config_schema_version) +
+                                         ", found " + std::to_string(version));
+    }
+    const std::string allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+    if (root.require("experiment", config.experiment) &&
+        (config.experiment.empty() || config.experiment.front() == '.' ||
+         config.experiment.find_first_not_of(allowed) != std::string::npos)) {
+        root.error("experiment",
+                   "names files: use letters, digits, '_', '-' and '.', which may not be first");
+    }
+    root.get("description", config.description);
+    root.get("measure", config.measure);
+}
+
+void read_settings(const JsonObject& root, Config& config) {
+    root.get("width", config.width, range(1, max_image_side));
+    root.get("height", config.height, range(1, max_image_side));
+    root.get("bounces", config.bounces, range(1, 100));
+    root.get("rounds", config.rounds, range(1, max_rounds));
+    root.get("seed", config.seed);
+    root.get("threads", config.threads, range(0, max_threads));
+    root.get("batch_rays", config.batch_rays, range(0, max_rays));
+    root.get("oracle_rays", config.oracle_rays, range(1, max_rays));
+}
+
+void read_tables(const JsonObject& root, const KnownNames& known, Config& config) {
+    const std::vector<std::string> possible = config.measure ? known.all_tables() : known.tree_tables;
+    const JsonValue written = root.value("tables");
+    if (!written.present()) config.tables = possible;
+    for (const JsonValue& element : written.list()) {
+        std::string name;
+        if (!element.read(name)) continue;
+        if (!config.measure && is_among(known.speed_tables, name)) {
+            element.error("needs measurements, but \"measure\" is false; change one of the two");
+        } else if (!is_among(possible, name)) {
+            element.error(unknown_name("table", name, possible));
+        } else if (is_among(config.tables, name)) {
+            element.error("is here twice; remove one of the two");
+        } else {
+            config.tables.push_back(name);
+        }
+    }
+}
+
+// Whether multiplying out is affordable; an error otherwise.
+bool is_small(const Axes& axes, const JsonValue& place) {
+    double cells = 1;
+    for_each_axis(axes, [&](std::string_view, const auto& values) {
+        cells *= static_cast<double>(std::max<std::size_t>(values.size(), 1));
+    });
+    if (cells <= max_cells) return true;
+    place.error("makes more than 100000 cells; split the experiment");
+    return false;
+}
+
+// What only the whole matrix can tell.
+void check_cells(const JsonObject& root, const KnownNames& known, const Config& config) {
+    if (!is_small(config.matrix, root.value("matrix"))) return;
+    Config without_include = config;
+    without_include.include.clear();
+    std::vector<Cell> cells = expand(without_include, known);
+    std::set<std::string> names;
+    for (const Cell& cell : cells) names.insert(cell.name());
+    const std::vector<JsonValue> includes = root.list("include");
+    for (std::size_t i = 0; i < includes.size(); ++i) {
+        if (!is_small(config.include[i], includes[i])) return;
+        for (const Cell& cell : expand_axes(config.include[i], config.measure, known)) {
+            if (!names.insert(cell.name()).second)
+                includes[i].error(cell.name() + " is there already; remove it here");
+            cells.push_back(cell);
+        }
+    }
+    if (cells.empty()) {
+        root.value("exclude").error("leaves nothing of the matrix; exclude less");
+        return;
+    }
+    const auto is_reference = [&](const Cell& cell) { return cell.contender->strategy == config.reference; };
+    if (config.measure && std::none_of(cells.begin(), cells.end(), is_reference)) {
+        root.value("reference")
+            .error("\"" + config.reference +
+                   "\" is not among the strategies measured; add it to "
+                   "/matrix/strategy or refer to another");
+    }
+}
+
+std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+}  // namespace
+
+std::vector<std::string> KnownNames::all_strategies() const { return joined(strategies, yardsticks); }
+std::vector<std::string> KnownNames::all_tables() const { return joined(tree_tables, speed_tables); }
+
+Config read_config(JsonDocument document, const KnownNames& known) {
+    JsonReader reader(std::move(document));
+    const JsonObject root = reader.root();
+    Config config;
+    read_header(root, config);
+    read_settings(root, config);
+    read_tables(root, known, config);
+
+    read_axes(root.object("matrix"), config.measure, known, config.matrix);
+    for (const JsonValue& element : root.list("exclude")) {
+        read_axes(element.object(), config.measure, known, config.exclude.emplace_back());
+        if (config.exclude.back() == Axes{} && !reader.failed()) {
+            element.error("would exclude everything; name an axis and its values");
+        }
+    }
+    for (const JsonValue& element : root.list("include")) {
+        read_axes(element.object(), config.measure, known, config.include.emplace_back(default_axes()));
+    }
+    const JsonValue reference = root.value("reference");
+    if (reference.read(config.reference) && !is_among(known.all_strategies(), config.reference)) {
+        reference.error(unknown_name("strategy", config.reference, known.all_strategies()));
+    }
+    if (!reader.failed()) check_cells(root, known, config);
+    reader.finish();
+    return config;
+}
+
+Config load_config(const std::filesystem::path& path, const std::vector<ConfigEdit>& edits,
+                   const KnownNames& known) {
+    JsonDocument document = JsonDocument::load(path);
+    for (const ConfigEdit& edit : edits) document.set(edit.assignment, edit.option);
+    return read_config(std::move(document), known);
+}
+
+}  // namespace ctpbench

@@ -1,0 +1,30 @@
+// From a config to rows and tables.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "config/cells.h"
+#include "config/config.h"
+#include "scene/load_scene.h"
+
+namespace ctpbench {
+
+// All names that a config may use.
+KnownNames known_names();
+
+struct RunOptions {
+    std::filesystem::path out;  // empty: results/<run id>
+    Folders scene_dirs;
+    SceneChoice scenes = SceneChoice::auto_;
+    bool quiet = false;
+    std::string command;  // recorded, so that the run can be repeated
+};
+
+// Measures the cells and writes rows and tables. Returns oracle if a contender was rejected, interrupted
+// after Ctrl-C (what was measured is kept), else ok.
+ExitCode run_experiment(const Config& config, const std::vector<Cell>& cells, const RunOptions& options);
+
+}  // namespace ctpbench

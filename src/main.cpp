@@ -1,0 +1,118 @@
+// The command line: reads it, does what it says, and turns errors into exit codes.
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "base/error.h"
+#include "base/interrupt.h"
+#include "build_info.h"
+#include "config/command_line.h"
+#include "experiment.h"
+#include "picture.h"
+
+namespace ctpbench {
+namespace {
+
+std::string joined(int argc, char** argv) {
+    std::string command;
+    for (int i = 0; i < argc; ++i) command += (i > 0 ? " " : "") + std::string(argv[i]);
+    return command;
+}
+
+void print_names(const char* kind, const std::vector<std::string>& names) {
+    std::printf("%s:", kind);
+    for (const std::string& name : names) std::printf(" %s", name.c_str());
+    std::printf("\n");
+}
+
+void list(const CommandLine& line) {
+    const KnownNames names = known_names();
+    print_names("scenes", scene_names(scene_search_path(line.scene_dirs)));
+    print_names("strategies", names.strategies);
+    print_names("yardsticks", names.yardsticks);
+    print_names("traversals", names.traversals);
+    print_names("methods", names.methods);
+    print_names("builders", names.builders);
+    print_names("backends", names.backends);
+}
+
+void draw(const CommandLine& line) {
+    SceneRequest request;
+    request.name = line.scene;
+    request.choice = line.scenes;
+    request.scene_dirs = line.scene_dirs;
+    if (line.spheres > 0) request.spheres = line.spheres;
+    request.seed = line.seed;
+    Notices notices;
+    const Scene scene = load_scene(request, notices);
+    if (!line.quiet) {
+        for (const std::string& n : notices) std::fprintf(stderr, "%s\n", n.c_str());
+        std::printf("%s: %zu triangles (%s), %zu spheres, %zu materials\n", scene.name.c_str(),
+                    scene.mesh.triangles.size(), scene.source == SceneSource::mesh ? "mesh" : "stand-in",
+                    scene.spheres.size(), scene.materials.size());
+    }
+    CpuBackend backend(static_cast<int>(line.threads.value_or(0)));
+    PictureSettings settings;
+    settings.width = line.width, settings.height = line.height;
+    draw_scene(backend, scene, settings, line.image);
+}
+
+ExitCode run(const CommandLine& line, const std::string& command) {
+    const KnownNames names = known_names();
+    const Config config = load_config(line.config, line.edits, names);
+    const std::vector<Cell> cells = filter(expand(config, names), line.filter);
+    if (line.action == CommandLine::Action::dry_run) {
+        std::printf("%s", format_cells(cells).c_str());
+        return ExitCode::ok;
+    }
+    RunOptions options;
+    options.out = line.out;
+    options.scene_dirs = line.scene_dirs;
+    options.scenes = line.scenes;
+    options.quiet = line.quiet;
+    options.command = command;
+    return run_experiment(config, cells, options);
+}
+
+ExitCode perform(int argc, char** argv) {
+    const CommandLine line = parse_command_line(argc, argv);
+    switch (line.action) {
+        case CommandLine::Action::help:
+            std::printf("%s", line.help_text.c_str());
+            break;
+        case CommandLine::Action::version:
+            std::printf("ctpbench %s (%.12s)\n", CTPBENCH_VERSION, CTPBENCH_GIT_COMMIT);
+            break;
+        case CommandLine::Action::list:
+            list(line);
+            break;
+        case CommandLine::Action::render_scene:
+            draw(line);
+            break;
+        case CommandLine::Action::run:
+        case CommandLine::Action::dry_run:
+            return run(line, joined(argc, argv));
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+}  // namespace ctpbench
+
+int main(int argc, char** argv) {
+    using namespace ctpbench;
+    watch_for_interrupt();
+    try {
+        return static_cast<int>(perform(argc, argv));
+    } catch (const Error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return static_cast<int>(error.code());
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr,
+                     "ctpbench: error: out of memory; use fewer spheres, a smaller scene or fewer pixels\n");
+        return static_cast<int>(ExitCode::internal);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "ctpbench: internal error: %s\n", error.what());
+        return static_cast<int>(ExitCode::internal);
+    }
+}

@@ -1,0 +1,102 @@
+#include "measure/contest.h"
+
+#include "measure/clock.h"
+#include "measure/rounds.h"
+
+namespace ctpbench {
+
+Contest::Contest(CpuBackend& backend, const GeometryView& geometry, std::vector<Batch>& batches,
+                 const Intersector* oracle, std::uint32_t oracle_rays)
+    : backend_(backend), geometry_(geometry), batches_(batches), oracle_(oracle), oracle_rays_(oracle_rays) {
+    if (oracle_ == nullptr) return;
+    for (Batch& batch : batches_) {
+        HitStorage& hits = oracle_hits_.emplace_back();
+        oracle_->intersect(backend_, buffers(batch, hits), true);
+    }
+}
+
+IntersectBuffers Contest::buffers(Batch& batch, HitStorage& hits) const {
+    hits.resize(batch.rays.size());
+    return {batch.rays.view(), hits.view(), batch.index.data(), static_cast<std::uint32_t>(batch.rays.size()),
+            geometry_.extent};
+}
+
+Verdict Contest::judge_hits(std::size_t batch, std::uint64_t hash) {
+    for (const Judged& j : judged_)
+        if (j.batch == batch && j.hash == hash) return j.verdict;
+    const Verdict verdict =
+        judge(batches_[batch], hits_.view(), oracle_hits_[batch].view(), geometry_, oracle_rays_);
+    judged_.push_back({batch, hash, verdict});
+    return verdict;
+}
+
+std::vector<Row> Contest::verify(Entrant& entrant, CellResult& cell) {
+    std::vector<Row> rows;
+    const bool sets_reference = entrant.exact && expected_.empty();
+    std::size_t differing = 0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        Batch& batch = batches_[b];
+        entrant.intersector->intersect(backend_, buffers(batch, hits_), entrant.carry_t);
+        const std::uint64_t hash = hits_.hash();
+        entrant.hashes.push_back(hash);
+        if (sets_reference) {
+            expected_.push_back(hash);
+            const HitColumns columns = hits_.view();
+            for (std::uint32_t i = 0; i < batch.rays.size(); ++i) {
+                hits_seen_ += columns.primitive[i] != kNoPrimitive;
+                sphere_hits_ +=
+                    columns.primitive[i] != kNoPrimitive && columns.primitive[i] >= geometry_.first_sphere();
+            }
+        }
+        if (entrant.exact && hash != expected_[b]) ++differing;
+        if (entrant.judged && oracle_ != nullptr) cell.verdict += judge_hits(b, hash);
+        rows.push_back({entrant.cell, "intersect", batch.bounce, 0, batch.active,
+                        static_cast<std::uint32_t>(batch.rays.size()), 0.0, hash});
+        cell.rays += batch.rays.size();
+    }
+    cell.checked = oracle_ != nullptr;
+    cell.valid = true;
+    if (differing > 0) {
+        cell.valid = false;
+        cell.reason = "hits differ from the first contender's in " + std::to_string(differing) + " of " +
+                      std::to_string(batches_.size()) + " batches";
+    } else if (!cell.verdict.accepted(entrant.exact)) {
+        cell.valid = false;
+        cell.reason = "the oracle disagrees: " + cell.verdict.text();
+    }
+    return rows;
+}
+
+std::vector<Row> Contest::round(std::uint32_t number, std::vector<Entrant>& entrants, Results& results,
+                                const std::function<bool()>& stop) {
+    std::vector<Row> rows;
+    std::vector<double> frame_seconds(entrants.size(), 0.0);
+    std::uint64_t frame_rays = 0;
+    for (const Batch& batch : batches_) frame_rays += batch.active;
+    for (std::size_t e : round_order(entrants.size(), number)) {
+        const Entrant& entrant = entrants[e];
+        if (!results.cells[entrant.cell].valid) continue;
+        for (std::size_t b = 0; b < batches_.size(); ++b) {
+            if (stop()) return {};
+            Batch& batch = batches_[b];
+            const IntersectBuffers io = buffers(batch, hits_);
+            const double seconds =
+                seconds_of([&] { entrant.intersector->intersect(backend_, io, entrant.carry_t); });
+            rows.push_back({entrant.cell, "intersect", batch.bounce, number, batch.active, io.count, seconds,
+                            entrant.hashes[b]});
+            // A batch stands for all paths that were active at its bounce.
+            frame_seconds[e] += seconds * batch.active / io.count;
+        }
+    }
+    for (std::size_t e = 0; e < entrants.size(); ++e)
+        if (frame_seconds[e] > 0.0)
+            results.cells[entrants[e].cell].mrays.push_back(static_cast<double>(frame_rays) /
+                                                            frame_seconds[e] * 1e-6);
+    return rows;
+}
+
+double Contest::sphere_hit_share() const {
+    return hits_seen_ == 0 ? 0.0 : static_cast<double>(sphere_hits_) / static_cast<double>(hits_seen_);
+}
+
+}  // namespace ctpbench

@@ -1,0 +1,63 @@
+// The contest of one workload: contenders over the same recorded batches, verified first, then timed in
+// interleaved rounds.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "measure/results.h"
+#include "wavefront/batch.h"
+#include "wavefront/intersector.h"
+
+namespace ctpbench {
+
+struct Entrant {
+    std::size_t cell;  // in Results::cells
+    const Intersector* intersector;
+    bool carry_t;
+    bool exact;                         // must give the reference's hits bit for bit
+    bool judged;                        // by the oracle; the oracle itself is not
+    std::vector<std::uint64_t> hashes;  // of its hits, by batch
+};
+
+class Contest {
+public:
+    // `oracle` may be null: hits are then compared among contenders only.
+    Contest(CpuBackend& backend, const GeometryView& geometry, std::vector<Batch>& batches,
+            const Intersector* oracle, std::uint32_t oracle_rays);
+
+    // Traces every batch untimed, which also warms up; judges the hits and sets the cell's verdict. Entrants
+    // whose `exact` is set are compared with the first of them. Returns one row per batch, without a time.
+    std::vector<Row> verify(Entrant& entrant, CellResult& cell);
+
+    // One round over all valid entrants; appends to each cell's `mrays`. Stops early, keeping nothing of the
+    // round, when `stop` says so.
+    std::vector<Row> round(std::uint32_t number, std::vector<Entrant>& entrants, Results& results,
+                           const std::function<bool()>& stop);
+
+    // Share of the reference's hits that are on spheres.
+    double sphere_hit_share() const;
+
+private:
+    IntersectBuffers buffers(Batch& batch, HitStorage& hits) const;
+    Verdict judge_hits(std::size_t batch, std::uint64_t hash);
+
+    CpuBackend& backend_;
+    GeometryView geometry_;
+    std::vector<Batch>& batches_;
+    const Intersector* oracle_;
+    std::uint32_t oracle_rays_;
+    HitStorage hits_;
+    std::vector<HitStorage> oracle_hits_;  // by batch
+    std::vector<std::uint64_t> expected_;  // hashes of the first exact entrant
+    struct Judged {
+        std::size_t batch;
+        std::uint64_t hash;
+        Verdict verdict;
+    };
+    std::vector<Judged> judged_;  // equal hits need one verdict
+    std::size_t sphere_hits_ = 0, hits_seen_ = 0;
+};
+
+}  // namespace ctpbench

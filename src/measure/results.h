@@ -1,0 +1,77 @@
+// What a run measured, in the shape that tables are made from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "config/cells.h"
+#include "oracle/check.h"
+
+namespace ctpbench {
+
+// One timing: a repetition of a kernel on the rays of one bounce.
+struct Row {
+    std::size_t cell = 0;  // in Results::cells
+    std::string kernel;
+    std::uint32_t bounce = 0;
+    std::uint32_t round = 0;
+    std::uint32_t active_rays = 0;  // paths active at this bounce in the whole frame
+    std::uint32_t rays = 0;         // rays timed
+    double seconds = 0.0;
+    std::uint64_t hit_hash = 0;
+
+    double mrays_per_second() const { return seconds > 0.0 ? rays / seconds * 1e-6 : 0.0; }
+};
+
+// One contender on one workload.
+struct CellResult {
+    Workload workload;
+    Contender contender;
+    std::string scene_source;  // "mesh" or "stand-in"
+    std::size_t triangles = 0;
+    bool checked = false;  // an oracle looked at its hits
+    bool valid = false;
+    std::string reason;  // why it is not valid
+    Verdict verdict;
+    std::vector<double> mrays;  // Mrays/s of the frame, by round
+    std::uint64_t rays = 0;     // timed in a round
+};
+
+// One tree that was built, ours or Embree's.
+struct TreeResult {
+    Workload workload;
+    std::string kind;  // mixed, typed_leaves, triangles, spheres, embree_robust, ...
+    std::size_t primitives = 0;
+    std::size_t nodes = 0, references = 0;  // 0 where the builder does not tell
+    std::uint32_t depth = 0;
+    float sah = 0.0f;
+    double build_seconds = 0.0;
+    std::size_t bytes = 0;
+    std::uint64_t hash = 0;
+};
+
+// A scene as it was measured.
+struct SceneResult {
+    std::string name;
+    std::uint32_t spheres = 0;
+    std::string source;
+    std::size_t triangles = 0, dropped_triangles = 0;
+    std::uint64_t hash = 0;
+    double sphere_hit_share = 0.0;  // of the rays that hit anything, over all bounces
+};
+
+struct Results {
+    std::vector<CellResult> cells;
+    std::vector<TreeResult> trees;
+    std::vector<SceneResult> scenes;
+    std::vector<std::string> notices;
+
+    const CellResult* find(const Workload& workload, const std::string& label) const {
+        for (const CellResult& c : cells)
+            if (c.workload == workload && c.contender.label() == label) return &c;
+        return nullptr;
+    }
+};
+
+}  // namespace ctpbench

@@ -1,0 +1,48 @@
+#include "report/meta.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/hash.h"
+#include "measure/machine.h"
+
+namespace ctpbench {
+std::string meta_json(const Config& config, const Results& results, const std::string& run_id,
+                      const std::string& state, const std::string& command, int threads) {
+    const nlohmann::json effective = to_json(config);
+    const std::string text = effective.dump();
+    nlohmann::json scenes = nlohmann::json::array(), trees = nlohmann::json::array();
+    for (const SceneResult& s : results.scenes)
+        scenes.push_back({{"name", s.name},
+                          {"spheres", s.spheres},
+                          {"source", s.source},
+                          {"triangles", s.triangles},
+                          {"dropped_triangles", s.dropped_triangles},
+                          {"hash", hex(s.hash)},
+                          {"sphere_hit_share", s.sphere_hit_share}});
+    for (const TreeResult& t : results.trees)
+        if (t.nodes > 0)
+            trees.push_back({{"workload", t.workload.name()}, {"kind", t.kind}, {"hash", hex(t.hash)}});
+    nlohmann::json verdicts = nlohmann::json::object();
+    for (const CellResult& c : results.cells)
+        if (c.checked && c.verdict.rays > 0)
+            verdicts[c.workload.name() + "/" + c.contender.label()] = c.verdict.text();
+    const nlohmann::json meta = {
+        {"schema_version", 1},
+        {"run_id", run_id},
+        {"state", state},
+        {"command", command},
+        {"threads", threads},
+        {"config", effective},
+        {"config_hash", hex(hash_bytes(text.data(), text.size()))},
+        {"machine", describe_machine()},
+        {"build", describe_build()},
+        {"scenes", scenes},
+        {"trees", trees},
+        {"oracle", verdicts},
+        {"notices", results.notices},
+        {"peak_memory_bytes", peak_memory_bytes()},
+    };
+    return meta.dump(2) + "\n";
+}
+
+}  // namespace ctpbench

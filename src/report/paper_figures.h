@@ -1,0 +1,37 @@
+// What Zellmann & Lang 2017 printed, to be set beside our own figures.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace ctpbench::paper {
+
+// Table 3, CPU columns: intersect, Mrays/s, dual Xeon E5-2637 v2, 16 threads.
+struct Table3Row {
+    std::string_view scene;
+    std::uint32_t spheres;
+    double ctp, oop, restart;
+};
+inline constexpr Table3Row table3[] = {
+    {"san_miguel", 1000, 4.56, 3.91, 4.33},   {"san_miguel", 10000, 4.25, 3.63, 4.05},
+    {"san_miguel", 100000, 3.97, 3.32, 3.58}, {"conference", 1000, 12.6, 11.8, 10.9},
+    {"conference", 10000, 10.2, 9.46, 8.72},  {"conference", 100000, 7.39, 6.67, 6.51},
+};
+
+// Table 2: nodes, in thousands, of the trees over triangles and spheres; 0 spheres: triangles alone.
+struct Table2Row {
+    std::string_view scene;
+    std::uint32_t spheres;
+    double kilo_nodes;
+};
+inline constexpr Table2Row table2[] = {
+    {"san_miguel", 0, 5971},      {"san_miguel", 1000, 5976},  {"san_miguel", 10000, 5986},
+    {"san_miguel", 100000, 6047}, {"conference", 0, 252},      {"conference", 1000, 253},
+    {"conference", 10000, 260},   {"conference", 100000, 328},
+};
+
+// Triangles of the paper's editions of the meshes.
+inline constexpr double san_miguel_kilo_triangles = 7842;
+inline constexpr double conference_kilo_triangles = 331;
+
+}  // namespace ctpbench::paper

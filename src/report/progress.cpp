@@ -1,0 +1,62 @@
+#include "report/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace ctpbench {
+namespace {
+
+constexpr auto kRefresh = std::chrono::milliseconds(250);
+
+std::string duration(double seconds) {
+    char text[32];
+    const auto s = static_cast<long>(seconds + 0.5);
+    if (s >= 3600)
+        std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
+    else
+        std::snprintf(text, sizeof text, "%ld:%02ld", s / 60, s % 60);
+    return text;
+}
+
+}  // namespace
+
+Progress::Progress(bool quiet)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+
+Progress::~Progress() {
+    if (terminal_ && !quiet_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::start_workload(std::size_t index, std::size_t count, const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    workload_ = index, workloads_ = count, name_ = name, share_ = 0.0;
+}
+
+void Progress::step(const std::string& what, double share_of_workload) {
+    const std::lock_guard lock(mutex_);
+    share_ = share_of_workload;
+    const auto now = std::chrono::steady_clock::now();
+    const bool changed = what != what_;
+    what_ = what;
+    if (quiet_ || (!changed && (!terminal_ || now - last_shown_ < kRefresh))) return;
+    last_shown_ = now;
+    show(what, !terminal_);
+}
+
+void Progress::show(const std::string& what, bool new_line) {
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double done = (static_cast<double>(workload_) + share_) / static_cast<double>(workloads_);
+    std::string line = "[" + std::to_string(workload_ + 1) + "/" + std::to_string(workloads_) + "] " + name_ +
+                       ": " + what + "  " + duration(elapsed);
+    if (done > 0.02) line += ", about " + duration(elapsed / done - elapsed) + " left";
+    std::fprintf(stderr, new_line ? "%s\n" : "\r\033[K%s", line.c_str());
+    std::fflush(stderr);
+}
+
+void Progress::note(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    std::fprintf(stderr, terminal_ && !quiet_ ? "\r\033[K%s\n" : "%s\n", text.c_str());
+}
+
+}  // namespace ctpbench

@@ -1,0 +1,55 @@
+#include "report/rows.h"
+
+#include "base/hash.h"
+
+namespace ctpbench {
+RowsFile::RowsFile(const std::filesystem::path& folder, std::string run_id, std::string experiment,
+                   int threads)
+    : file_(folder / "rows.csv", {"run_id",        "experiment", "scene",
+                                  "scene_source",  "triangles",  "spheres",
+                                  "sphere_radius", "builder",    "backend",
+                                  "threads",       "strategy",   "restart_carries_t",
+                                  "traversal",     "methods",    "kernel",
+                                  "bounce",        "round",      "active_rays",
+                                  "rays",          "time_ms",    "throughput_mrays_s",
+                                  "hit_hash",      "valid",      "mismatch_rate"}),
+      run_id_(std::move(run_id)),
+      experiment_(std::move(experiment)),
+      threads_(threads) {}
+
+void RowsFile::append(const Results& results, const std::vector<Row>& rows) {
+    std::vector<std::vector<std::string>> lines;
+    for (const Row& row : rows) {
+        const CellResult& cell = results.cells[row.cell];
+        const bool timed = row.seconds > 0.0;
+        lines.push_back({run_id_,
+                         experiment_,
+                         cell.workload.scene,
+                         cell.scene_source,
+                         std::to_string(cell.triangles),
+                         std::to_string(cell.workload.spheres),
+                         csv_number(cell.workload.sphere_radius),
+                         cell.workload.builder,
+                         cell.contender.backend,
+                         std::to_string(threads_),
+                         cell.contender.strategy,
+                         cell.contender.restart_carries_t ? "true" : "false",
+                         cell.contender.traversal,
+                         cell.contender.methods,
+                         row.kernel,
+                         std::to_string(row.bounce),
+                         std::to_string(row.round),
+                         std::to_string(row.active_rays),
+                         std::to_string(row.rays),
+                         timed ? csv_number(row.seconds * 1e3) : "",
+                         timed ? csv_number(row.mrays_per_second()) : "",
+                         hex(row.hit_hash),
+                         !cell.valid    ? "false"
+                         : cell.checked ? "true"
+                                        : "unchecked",
+                         cell.checked ? csv_number(cell.verdict.mismatch_rate()) : ""});
+    }
+    file_.append(lines);
+}
+
+}  // namespace ctpbench

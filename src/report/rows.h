@@ -1,0 +1,24 @@
+// rows.csv: one line per repetition, kernel and bounce, with all that identifies it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "measure/results.h"
+#include "report/csv.h"
+
+namespace ctpbench {
+
+class RowsFile {
+public:
+    RowsFile(const std::filesystem::path& folder, std::string run_id, std::string experiment, int threads);
+    void append(const Results& results, const std::vector<Row>& rows);
+
+private:
+    CsvFile file_;
+    std::string run_id_, experiment_;
+    int threads_;
+};
+
+}  // namespace ctpbench

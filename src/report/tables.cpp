@@ -1,0 +1,267 @@
+#include "report/tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "report/csv.h"
+#include "report/paper_figures.h"
+
+namespace ctpbench {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::string fixed(double value, int digits) {
+    if (std::isnan(value)) return "n/a";
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+std::string with_interval(const Estimate& e) {
+    return std::isnan(e.median) ? "n/a"
+                                : fixed(e.median, 2) + " [" + fixed(e.lo, 2) + ", " + fixed(e.hi, 2) + "]";
+}
+
+Estimate throughput_of(const CellResult* cell) {
+    if (cell == nullptr || !cell->valid || cell->mrays.empty()) return {kNaN, kNaN, kNaN};
+    return estimate_median(cell->mrays);
+}
+
+// In order of first appearance, without repetition.
+template <class T, class F>
+std::vector<T> distinct(const Results& results, F&& of) {
+    std::vector<T> values;
+    for (const CellResult& c : results.cells)
+        if (std::find(values.begin(), values.end(), of(c)) == values.end()) values.push_back(of(c));
+    return values;
+}
+
+// What a column of Table 3 holds fixed beside the strategy.
+struct Column {
+    Workload workload;  // its spheres do not count
+    std::string backend, label;
+    bool operator==(const Column&) const = default;
+};
+Workload without_spheres(Workload w) {
+    w.spheres = 0;
+    return w;
+}
+
+std::vector<std::uint32_t> sphere_counts(const Results& results) {
+    auto counts = distinct<std::uint32_t>(results, [](const CellResult& c) { return c.workload.spheres; });
+    std::sort(counts.begin(), counts.end());
+    return counts;
+}
+
+}  // namespace
+
+Estimate ratio_of(const CellResult* a, const CellResult* b) {
+    if (a == nullptr || b == nullptr || !a->valid || !b->valid) return {kNaN, kNaN, kNaN};
+    const std::size_t rounds = std::min(a->mrays.size(), b->mrays.size());
+    if (rounds == 0) return {kNaN, kNaN, kNaN};
+    return estimate_paired_ratio({a->mrays.begin(), a->mrays.begin() + static_cast<std::ptrdiff_t>(rounds)},
+                                 {b->mrays.begin(), b->mrays.begin() + static_cast<std::ptrdiff_t>(rounds)});
+}
+
+std::string summary_csv(const Config& config, const Results& results) {
+    std::string out =
+        csv_line({"scene",    "scene_source",   "triangles",          "spheres",      "sphere_radius",
+                  "builder",  "backend",        "strategy",           "kernel",       "rays",
+                  "rounds",   "median_mrays_s", "lo_mrays_s",         "hi_mrays_s",   "ratio_to_reference",
+                  "ratio_lo", "ratio_hi",       "ratio_to_yardstick", "yardstick_lo", "yardstick_hi",
+                  "valid",    "mismatch_rate"});
+    for (const CellResult& c : results.cells) {
+        const Estimate speed = throughput_of(&c);
+        const Estimate ratio = ratio_of(&c, results.find(c.workload, config.reference));
+        const Estimate yardstick = ratio_of(&c, results.find(c.workload, kYardstick));
+        out += csv_line({c.workload.scene,
+                         c.scene_source,
+                         std::to_string(c.triangles),
+                         std::to_string(c.workload.spheres),
+                         csv_number(c.workload.sphere_radius),
+                         c.workload.builder,
+                         c.contender.backend,
+                         c.contender.label(),
+                         "intersect",
+                         std::to_string(c.rays),
+                         std::to_string(c.mrays.size()),
+                         csv_number(speed.median),
+                         csv_number(speed.lo),
+                         csv_number(speed.hi),
+                         csv_number(ratio.median),
+                         csv_number(ratio.lo),
+                         csv_number(ratio.hi),
+                         csv_number(yardstick.median),
+                         csv_number(yardstick.lo),
+                         csv_number(yardstick.hi),
+                         !c.valid    ? "false"
+                         : c.checked ? "true"
+                                     : "unchecked",
+                         c.checked ? csv_number(c.verdict.mismatch_rate()) : ""});
+    }
+    return out;
+}
+
+std::string trees_csv(const Results& results) {
+    std::string out = csv_line({"scene", "spheres", "sphere_radius", "builder", "tree", "primitives", "nodes",
+                                "references", "depth", "sah", "build_seconds", "bytes"});
+    const auto known = [](std::size_t n) { return n == 0 ? std::string() : std::to_string(n); };
+    for (const TreeResult& t : results.trees)
+        out += csv_line({t.workload.scene, std::to_string(t.workload.spheres),
+                         csv_number(t.workload.sphere_radius), t.workload.builder, t.kind,
+                         std::to_string(t.primitives), known(t.nodes), known(t.references), known(t.depth),
+                         t.nodes == 0 ? "" : csv_number(t.sah), csv_number(t.build_seconds), known(t.bytes)});
+    return out;
+}
+
+std::string table2_csv(const Results& results) {
+    std::vector<Workload> columns;
+    std::set<std::uint32_t> counts;
+    std::map<std::string, std::size_t> nodes;
+    const auto key = [](const Workload& w, const std::string& kind) { return w.name() + '|' + kind; };
+    for (const TreeResult& t : results.trees) {
+        const Workload column = without_spheres(t.workload);
+        if (std::find(columns.begin(), columns.end(), column) == columns.end()) columns.push_back(column);
+        counts.insert(t.workload.spheres);
+        nodes[key(t.workload, t.kind)] = t.nodes;
+    }
+    std::vector<std::string> header{"spheres"};
+    for (const Workload& w : columns)
+        for (const char* kind : {"combined", "triangles_alone", "spheres_alone"})
+            header.push_back(w.scene + "/" + w.builder + "/" + kind);
+    std::string out = csv_line(header);
+    for (std::uint32_t spheres : counts) {
+        std::vector<std::string> line{std::to_string(spheres)};
+        for (Workload w : columns) {
+            w.spheres = spheres;
+            for (const char* kind : {"mixed", "triangles", "spheres"}) {
+                const auto found = nodes.find(key(w, kind));
+                line.push_back(found == nodes.end() ? "" : std::to_string(found->second));
+            }
+        }
+        out += csv_line(line);
+    }
+    return out;
+}
+
+std::string table3_csv(const Results& results) {
+    const auto columns = distinct<Column>(results, [](const CellResult& c) {
+        return Column{without_spheres(c.workload), c.contender.backend, c.contender.label()};
+    });
+    std::vector<std::string> header{"spheres"};
+    const auto builders =
+        distinct<std::string>(results, [](const CellResult& c) { return c.workload.builder; });
+    const auto radii =
+        distinct<double>(results, [](const CellResult& c) { return c.workload.sphere_radius; });
+    for (const Column& c : columns) {
+        std::string name = c.workload.scene + "/" + c.backend + "/" + c.label;
+        if (builders.size() > 1) name += "/" + c.workload.builder;
+        if (radii.size() > 1) name += "/r=" + csv_number(c.workload.sphere_radius);
+        header.push_back(name);
+    }
+    std::string out = csv_line(header);
+    for (std::uint32_t spheres : sphere_counts(results)) {
+        std::vector<std::string> line{std::to_string(spheres)};
+        for (const Column& column : columns) {
+            Workload w = column.workload;
+            w.spheres = spheres;
+            line.push_back(csv_number(throughput_of(results.find(w, column.label)).median, 4));
+        }
+        out += csv_line(line);
+    }
+    return out;
+}
+
+std::string table3_markdown(const Results& results) {
+    std::string out =
+        "# Table 3: intersect throughput, triangles and spheres in one scene\n\n"
+        "Paper: dual Xeon E5-2637 v2, 16 threads, CPU columns. Speeds do not travel between machines; "
+        "ratios\n"
+        "within a machine do. Ours are medians over rounds with 95 % bootstrap intervals; `restart_fresh_t`\n"
+        "starts its second pass without the first one's hit.\n";
+    for (const Workload& column :
+         distinct<Workload>(results, [](const CellResult& c) { return without_spheres(c.workload); })) {
+        const auto of_column = [&](std::uint32_t spheres, const char* label) {
+            Workload w = column;
+            w.spheres = spheres;
+            return results.find(w, label);
+        };
+        const CellResult* any = nullptr;
+        for (const CellResult& c : results.cells)
+            if (any == nullptr && without_spheres(c.workload) == column) any = &c;
+        out += "\n## " + column.scene + " (" + any->scene_source + ", " + std::to_string(any->triangles) +
+               " triangles, builder " + column.builder + ", sphere radius " +
+               csv_number(column.sphere_radius) + " of the mean spacing)\n\n";
+        out +=
+            "| spheres | ctp: paper | ctp | oop: paper | oop | restart: paper | restart | ctp/oop: paper | "
+            "ctp/oop | ctp/restart: paper | ctp/restart | ctp/restart_fresh_t | ctp/embree_robust |\n"
+            "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+        for (std::uint32_t spheres : sphere_counts(results)) {
+            const CellResult* ctp = of_column(spheres, "ctp");
+            const CellResult* oop = of_column(spheres, "oop");
+            const CellResult* restart = of_column(spheres, "restart");
+            paper::Table3Row printed{"", 0, kNaN, kNaN, kNaN};
+            for (const paper::Table3Row& row : paper::table3)
+                if (row.scene == column.scene && row.spheres == spheres && any->scene_source == "mesh")
+                    printed = row;
+            out += "| " + std::to_string(spheres) + " | " + fixed(printed.ctp, 2) + " | " +
+                   fixed(throughput_of(ctp).median, 2) + " | " + fixed(printed.oop, 2) + " | " +
+                   fixed(throughput_of(oop).median, 2) + " | " + fixed(printed.restart, 2) + " | " +
+                   fixed(throughput_of(restart).median, 2) + " | " + fixed(printed.ctp / printed.oop, 2) +
+                   " | " + with_interval(ratio_of(ctp, oop)) + " | " +
+                   fixed(printed.ctp / printed.restart, 2) + " | " + with_interval(ratio_of(ctp, restart)) +
+                   " | " + with_interval(ratio_of(ctp, of_column(spheres, "restart_fresh_t"))) + " | " +
+                   with_interval(ratio_of(ctp, of_column(spheres, kYardstick))) + " |\n";
+        }
+    }
+    return out;
+}
+
+std::string table_text(const Config& config, const Results& results) {
+    std::string out;
+    char line[256];
+    if (!results.trees.empty()) {
+        std::snprintf(line, sizeof line, "%-32s %-14s %10s %10s %6s %8s %9s\n", "scene/spheres", "tree",
+                      "nodes", "references", "depth", "SAH", "build s");
+        out += line;
+        for (const TreeResult& t : results.trees) {
+            std::snprintf(line, sizeof line, "%-32s %-14s %10s %10s %6s %8s %9.2f\n",
+                          t.workload.name().c_str(), t.kind.c_str(),
+                          t.nodes ? std::to_string(t.nodes).c_str() : "-",
+                          t.nodes ? std::to_string(t.references).c_str() : "-",
+                          t.nodes ? std::to_string(t.depth).c_str() : "-",
+                          t.nodes ? fixed(t.sah, 1).c_str() : "-", t.build_seconds);
+            out += line;
+        }
+        out += '\n';
+    }
+    if (results.cells.empty()) return out;
+    std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-20s %s\n", "scene/spheres", "strategy",
+                  "Mrays/s", "95 % interval", ("/ " + config.reference).c_str(),
+                  (std::string("/ ") + kYardstick).c_str(), "hits");
+    out += line;
+    for (const CellResult& c : results.cells) {
+        const Estimate speed = throughput_of(&c);
+        const std::string interval =
+            std::isnan(speed.median) ? "" : fixed(speed.lo, 3) + " .. " + fixed(speed.hi, 3);
+        std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-20s %s\n", c.workload.name().c_str(),
+                      c.contender.label().c_str(), fixed(speed.median, 3).c_str(), interval.c_str(),
+                      with_interval(ratio_of(&c, results.find(c.workload, config.reference))).c_str(),
+                      with_interval(ratio_of(&c, results.find(c.workload, kYardstick))).c_str(),
+                      !c.valid    ? "REJECTED"
+                      : c.checked ? "checked"
+                                  : "unchecked");
+        out += line;
+    }
+    for (const CellResult& c : results.cells)
+        if (!c.valid && !c.reason.empty())
+            out += c.workload.name() + "/" + c.contender.label() + ": rejected: " + c.reason + "\n";
+    return out;
+}
+
+}  // namespace ctpbench

@@ -1,0 +1,192 @@
+#include "scene/load_scene.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/suggest.h"
+#include "scene/content_hash.h"
+#include "scene/framing.h"
+#include "scene/material_library.h"
+#include "scene/mesh_cache.h"
+#include "scene/recipes/recipes.h"
+#include "scene/scene_file.h"
+#include "scene/spheres.h"
+
+namespace ctpbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FoundMesh {
+    const MeshEdition* edition;
+    fs::path path;
+};
+
+SceneFile bare_obj(const fs::path& path) {
+    SceneFile file;
+    file.path = path;
+    file.name = path.stem().string();
+    file.meshes.push_back({{fs::absolute(path).string()}, 0, "", std::nullopt});
+    return file;
+}
+
+SceneFile find_and_read(const std::string& name, Folders& folders) {
+    const fs::path path(name);
+    if (path.extension() == ".obj") return bare_obj(path);
+    if (path.extension() != ".json") return read_scene_file(find_scene_file(name, folders));
+    folders.insert(folders.begin(), fs::absolute(path).parent_path());  // its meshes may lie beside it
+    return read_scene_file(path);
+}
+
+// A folder that is searched earlier beats an edition that is named earlier.
+std::optional<FoundMesh> find_mesh(const SceneFile& file, const Folders& folders) {
+    for (const fs::path& folder : folders) {
+        for (const MeshEdition& edition : file.meshes) {
+            if (const auto path = find_file(edition.files, {folder})) return FoundMesh{&edition, *path};
+        }
+    }
+    return std::nullopt;
+}
+
+[[noreturn]] void fail_without_mesh(const SceneFile& file, const Folders& folders) {
+    std::string text = "scene \"" + file.name + "\": ";
+    if (file.recipe) {
+        throw Error(ExitCode::scene_missing,
+                    text + "it is procedural and has no mesh; ask for \"auto\" or \"stand-in\"");
+    }
+    text += "its mesh was not found. Looked for\n";
+    bool in_folders = false;
+    for (const MeshEdition& edition : file.meshes) {
+        for (const std::string& name : edition.files) {
+            text += "  " + name + "\n";
+            in_folders = in_folders || !fs::path(name).is_absolute();
+        }
+    }
+    if (in_folders) {
+        text += "in\n";
+        for (const fs::path& folder : folders) text += "  " + folder.string() + "\n";
+        text +=
+            "scripts/fetch_scenes downloads the known meshes; --scene-dir or CTPBENCH_SCENES names another "
+            "folder";
+    } else {
+        text += "check the path";
+    }
+    throw Error(ExitCode::scene_missing, text);
+}
+
+void notice_dropped(const DroppedTriangles& dropped, const fs::path& path, Notices& notices) {
+    if (dropped.total() == 0) return;
+    notices.push_back(path.string() + ":" + std::to_string(dropped.first_line) +
+                      ": the first of the dropped triangles: " + std::to_string(dropped.zero_area) +
+                      " without area, " + std::to_string(dropped.bad_vertex) +
+                      " with a coordinate that is NaN, infinite or beyond 1e18");
+}
+
+// The paper states thousands.
+void notice_count(const SceneFile& file, const MeshEdition& edition, std::uint64_t triangles,
+                  Notices& notices) {
+    const std::string counted = "scene \"" + file.name + "\": " + std::to_string(triangles) + " triangles";
+    if (edition.triangles != 0 && edition.triangles != triangles) {
+        notices.push_back(counted + ", but the scene file expects " + std::to_string(edition.triangles) +
+                          "; it is another edition of the mesh, or incomplete");
+    }
+    const auto thousands = [](std::uint64_t count) { return (count + 500) / 1000; };
+    if (file.paper_triangles != 0 && thousands(file.paper_triangles) != thousands(triangles)) {
+        notices.push_back(counted + ", but the paper's mesh has " +
+                          std::to_string(thousands(file.paper_triangles)) + "K" +
+                          (edition.variant.empty() ? "" : ": " + edition.variant));
+    }
+}
+
+void add_mesh(Scene& scene, const SceneFile& file, const FoundMesh& found, Notices& notices) {
+    ObjMesh obj = load_obj(found.path, mesh_cache_folder(), notices);
+    scene.source = SceneSource::mesh;
+    scene.materials = read_materials(obj, found.path, notices);
+    scene.mesh = std::move(obj.mesh);
+    scene.dropped_triangles = obj.dropped.total();
+    notice_dropped(obj.dropped, found.path, notices);
+    notice_count(file, *found.edition, scene.mesh.triangles.size() + scene.dropped_triangles, notices);
+    const std::optional<Camera>& camera = found.edition->camera ? found.edition->camera : file.camera;
+    scene.camera = camera ? *camera : framing_camera(scene_bounds(scene));
+}
+
+void add_recipe(Scene& scene, const SceneFile& file) {
+    scene.source = SceneSource::stand_in;
+    find_recipe(file.recipe->name)->build(scene.mesh, scene.materials, file.recipe->seed);
+    scene.camera = file.camera ? *file.camera : framing_camera(scene_bounds(scene));
+}
+
+void apply_overrides(Scene& scene, const SceneFile& file) {
+    for (const MaterialOverride& change : file.overrides) {
+        const auto named = [&](const Material& material) { return material.name == change.material; };
+        const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), named);
+        if (found == scene.materials.end()) {
+            std::vector<std::string> names;
+            for (const Material& material : scene.materials) names.push_back(material.name);
+            throw Error(ExitCode::usage,
+                        error_line(change.place, unknown_name("material", change.material, names)));
+        }
+        found->diffuse = change.diffuse;
+    }
+}
+
+// Mesh or recipe of this very file, without a look at its stand-in.
+void add_geometry(Scene& scene, const SceneFile& file, const Folders& folders, Notices& notices) {
+    if (file.recipe) {
+        add_recipe(scene, file);
+    } else if (const auto found = find_mesh(file, folders)) {
+        add_mesh(scene, file, *found, notices);
+    } else {
+        fail_without_mesh(file, folders);
+    }
+    apply_overrides(scene, file);
+}
+
+void add_stand_in(Scene& scene, const SceneFile& file, const Folders& folders, Notices& notices) {
+    add_geometry(scene, read_scene_file(find_scene_file(file.stand_in, folders)), folders, notices);
+    scene.source = SceneSource::stand_in;
+}
+
+void add_chosen_geometry(Scene& scene, const SceneFile& file, SceneChoice choice, const Folders& folders,
+                         Notices& notices) {
+    if (choice == SceneChoice::real && file.recipe) fail_without_mesh(file, folders);
+    if (choice == SceneChoice::stand_in && !file.recipe) {
+        if (!file.stand_in.empty()) return add_stand_in(scene, file, folders, notices);
+        throw Error(ExitCode::usage,
+                    "scene \"" + file.name + "\" has no stand-in; ask for \"auto\" or \"real\"");
+    }
+    const bool missing = !file.recipe && !find_mesh(file, folders);
+    if (choice == SceneChoice::auto_ && missing && !file.stand_in.empty()) {
+        notices.push_back(
+            "scene \"" + file.name + "\": its mesh was not found, so the stand-in \"" + file.stand_in +
+            "\" takes its place; its figures do not compare with the paper's. scripts/fetch_scenes "
+            "downloads the mesh");
+        return add_stand_in(scene, file, folders, notices);
+    }
+    add_geometry(scene, file, folders, notices);
+}
+
+void add_spheres(Scene& scene, const SphereSettings& settings, const SceneRequest& request) {
+    const std::uint32_t count = request.spheres.value_or(settings.count);
+    if (count == 0) return;
+    scene.spheres =
+        scatter_spheres(scene_bounds(scene), count, request.sphere_radius.value_or(settings.radius),
+                        request.seed.value_or(settings.seed));
+    scene.sphere_material = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.push_back({"spheres", settings.diffuse});
+}
+
+}  // namespace
+
+Scene load_scene(const SceneRequest& request, Notices& notices) {
+    Folders folders = scene_search_path(request.scene_dirs);
+    const SceneFile file = find_and_read(request.name, folders);
+    Scene scene;
+    scene.name = request.name;
+    add_chosen_geometry(scene, file, request.choice, folders, notices);
+    add_spheres(scene, file.spheres, request);
+    scene.content_hash = content_hash(scene);
+    return scene;
+}
+
+}  // namespace ctpbench

@@ -1,0 +1,58 @@
+// A scene as plain host data. Made once per scene file and sphere count; nothing here knows of trees,
+// strategies or backends.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kernels/box.h"
+#include "kernels/primitives/shapes.h"
+#include "kernels/vec.h"
+
+namespace ctpbench {
+
+struct Material {
+    std::string name;
+    Vec3 diffuse{0.5f, 0.5f, 0.5f};  // albedo, linear RGB
+};
+
+// Vertices are shared; `material[i]` belongs to `triangles[i]`.
+struct Mesh {
+    std::vector<Vec3> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::uint32_t> material;
+
+    TriangleShape triangle(std::size_t i) const {
+        const auto& t = triangles[i];
+        return {positions[t[0]], positions[t[1]], positions[t[2]]};
+    }
+};
+
+// `fov_degrees` spans the smaller image side.
+struct Camera {
+    Vec3 eye{0, 0, 0};
+    Vec3 target{0, 0, -1};
+    Vec3 up{0, 1, 0};
+    float fov_degrees = 60.0f;
+};
+
+enum class SceneSource { mesh, stand_in };
+
+struct Scene {
+    std::string name;                        // as the config names it
+    SceneSource source = SceneSource::mesh;  // where its triangles come from
+    Mesh mesh;
+    std::vector<SphereShape> spheres;
+    std::vector<Material> materials;  // never empty
+    std::uint32_t sphere_material = 0;
+    Camera camera;
+    std::size_t dropped_triangles = 0;  // NaN, infinite or absurdly large vertices; zero area
+    std::uint64_t content_hash = 0;     // of triangles, materials and spheres
+};
+
+// Bounds of all triangles and spheres.
+Box scene_bounds(const Scene& scene);
+
+}  // namespace ctpbench

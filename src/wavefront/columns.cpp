@@ -1,0 +1,11 @@
+#include "wavefront/columns.h"
+
+#include "base/hash.h"
+
+namespace ctpbench {
+
+std::uint64_t HitStorage::hash() const {
+    return hash_vector(v_, hash_vector(u_, hash_vector(primitive_, hash_vector(t_))));
+}
+
+}  // namespace ctpbench

@@ -1,0 +1,41 @@
+// The trees of one scene: those that its contenders need, each built once and shared.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "accel/sbvh.h"
+#include "backends/cpu.h"
+#include "kernels/dispatch/layout.h"
+#include "scene/scene.h"
+
+namespace ctpbench {
+
+struct BuilderInfo {
+    std::string name;
+    SbvhSettings settings;
+};
+// The builders that configs may name.
+std::vector<BuilderInfo> tree_builders();
+
+struct Forest {
+    std::shared_ptr<const Tree> mixed, typed_leaves;
+    std::shared_ptr<const Tree> per_type[kPrimitiveTypes];
+
+    // The trees and the scene's geometry must outlive what is laid out from this.
+    LayoutInput layout_input(const GeometryView& geometry) const;
+};
+
+// Called with what is being built and the share of it that is done.
+using ForestProgress = std::function<void(const std::string& tree, double fraction)>;
+
+// Builds the trees of these kinds. A tree over triangles alone may be handed in: it does not depend on the
+// spheres.
+Forest build_forest(CpuBackend& backend, const Scene& scene, const std::set<TreeKind>& kinds,
+                    const SbvhSettings& settings, std::shared_ptr<const Tree> triangles,
+                    const ForestProgress& progress);
+
+}  // namespace ctpbench

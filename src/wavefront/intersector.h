@@ -1,0 +1,45 @@
+// One contender of the intersect stage, ready to trace: a strategy with the layout it traverses. The
+// virtual call is one per batch of rays; what a strategy does per primitive is inside.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "backends/cpu.h"
+#include "kernels/dispatch/layout.h"
+#include "kernels/intersect.h"
+
+namespace ctpbench {
+
+class Intersector {
+public:
+    virtual ~Intersector() = default;
+
+    // Writes the closest hit of every active ray. `carry_t`: whether a pass is bounded by the hits of the
+    // pass before; it concerns strategies of several passes only.
+    virtual void intersect(CpuBackend& backend, const IntersectBuffers& io, bool carry_t) const = 0;
+
+    // Memory of the layout beside the trees it shares.
+    virtual std::size_t bytes() const = 0;
+};
+
+// A strategy of the registry as the experiment sees it before anything is built.
+struct StrategyInfo {
+    std::string name;
+    TreeKind tree;
+};
+std::vector<StrategyInfo> intersect_strategies();
+
+struct MethodsInfo {
+    std::string name;
+    bool exact;  // hits are bit-identical whatever the tree
+};
+std::vector<MethodsInfo> method_bundles();
+
+// Lays out `strategy` with `methods`. The names must be registered.
+std::unique_ptr<Intersector> make_intersector(std::string_view strategy, std::string_view methods,
+                                              const LayoutInput& input);
+
+}  // namespace ctpbench

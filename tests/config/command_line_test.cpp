@@ -1,0 +1,142 @@
+#include "config/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace ctpbench {
+namespace {
+
+using Action = CommandLine::Action;
+
+CommandLine parse(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "ctpbench");
+    return parse_command_line(static_cast<int>(arguments.size()), arguments.data());
+}
+
+std::string error_of(const std::vector<const char*>& arguments) {
+    try {
+        parse(arguments);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::usage);
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(CommandLine, ABareConfigMeansRun) {
+    const CommandLine line = parse({"--config", "c.json"});
+    EXPECT_EQ(line.action, Action::run);
+    EXPECT_EQ(line.config, "c.json");
+    EXPECT_TRUE(line.out.empty());
+    EXPECT_TRUE(line.edits.empty());
+    EXPECT_EQ(line.scenes, SceneChoice::auto_);
+    EXPECT_EQ(parse({"run", "--config", "c.json"}).config, "c.json");
+    EXPECT_EQ(parse({"--config", "c.json", "run", "--out", "o"}).out, "o");
+}
+
+TEST(CommandLine, ReadsEveryRunOption) {
+    const CommandLine line = parse({"--config=c.json",
+                                    "--out",
+                                    "o",
+                                    "--scene-dir",
+                                    "s1",
+                                    "--scene-dir",
+                                    "s2",
+                                    "--scenes",
+                                    "stand-in",
+                                    "--threads",
+                                    "2",
+                                    "--rounds",
+                                    "5",
+                                    "--seed",
+                                    "18446744073709551615",
+                                    "--filter",
+                                    "a/b",
+                                    "--set",
+                                    "/a=1",
+                                    "--set",
+                                    "/m/s=[1,2]",
+                                    "--quiet",
+                                    "--dry-run"});
+    EXPECT_EQ(line.action, Action::dry_run);
+    EXPECT_EQ(line.out, "o");
+    EXPECT_EQ(line.scene_dirs, (std::vector<std::filesystem::path>{"s1", "s2"}));
+    EXPECT_EQ(line.scenes, SceneChoice::stand_in);
+    EXPECT_EQ(line.threads, 2u);
+    EXPECT_EQ(line.seed, 18'446'744'073'709'551'615u);
+    EXPECT_EQ(line.filter, "a/b");
+    EXPECT_TRUE(line.quiet);
+    std::vector<std::string> edits;
+    for (const ConfigEdit& edit : line.edits) edits.push_back(edit.assignment + " by " + edit.option);
+    EXPECT_EQ(edits, (std::vector<std::string>{"/a=1 by --set /a=1", "/m/s=[1,2] by --set /m/s=[1,2]",
+                                               "/threads=2 by --threads 2", "/rounds=5 by --rounds 5",
+                                               "/seed=18446744073709551615 by --seed 18446744073709551615"}));
+}
+
+TEST(CommandLine, ReadsTheSceneSubcommand) {
+    const CommandLine line =
+        parse({"scene", "conference", "--image", "i.png", "--width", "64", "--height", "32", "--spheres", "7",
+               "--scene-dir", "s", "--scenes", "real", "--seed", "3"});
+    EXPECT_EQ(line.action, Action::render_scene);
+    EXPECT_EQ(line.scene, "conference");
+    EXPECT_EQ(line.image, "i.png");
+    EXPECT_EQ(line.width, 64u);
+    EXPECT_EQ(line.height, 32u);
+    EXPECT_EQ(line.spheres, 7u);
+    EXPECT_EQ(line.scene_dirs, std::vector<std::filesystem::path>{"s"});
+    EXPECT_EQ(line.scenes, SceneChoice::real);
+    EXPECT_EQ(line.seed, 3u);
+    EXPECT_EQ(parse({"--scene-dir", "s", "scene", "conference", "--image", "i.png"}).scene, "conference");
+}
+
+TEST(CommandLine, OtherActions) {
+    EXPECT_EQ(parse({"--version"}).action, Action::version);
+    EXPECT_EQ(parse({"--list"}).action, Action::list);
+    const CommandLine help = parse({"--help"});
+    EXPECT_EQ(help.action, Action::help);
+    for (const char* part :
+         {"--config", "--set", "--scene-dir", "Examples:", "Exit codes:", "130 interrupted", "scene"}) {
+        EXPECT_NE(help.help_text.find(part), std::string::npos) << part << "\n" << help.help_text;
+    }
+    EXPECT_NE(parse({"scene", "--help"}).help_text.find("--image"), std::string::npos);
+}
+
+TEST(CommandLine, ErrorsHaveAHint) {
+    EXPECT_EQ(error_of({}),
+              "ctpbench: error: no experiment named; give one with --config, or see what there is with "
+              "--list and --help");
+    EXPECT_EQ(error_of({"--confg", "c.json"}),
+              "ctpbench: error: unknown argument --confg; did you mean --config?");
+    EXPECT_EQ(error_of({"--config", "c.json", "--xyzzy"}),
+              "ctpbench: error: unknown argument --xyzzy; see ctpbench --help");
+    EXPECT_EQ(error_of({"scnee", "x"}), "ctpbench: error: unknown argument scnee; did you mean scene?");
+    EXPECT_EQ(error_of({"scene", "x", "--image", "i.png", "--rounds", "3"}),
+              "ctpbench: error: --rounds means nothing to ctpbench scene; see ctpbench scene --help");
+    for (const std::vector<const char*>& wrong :
+         std::vector<std::vector<const char*>>{{"--config"},
+                                               {"--config", "c", "--rounds", "0"},
+                                               {"--config", "c", "--rounds", "x"},
+                                               {"--config", "c", "--seed", "010"},
+                                               {"--config", "c", "--seed", "18446744073709551616"},
+                                               {"--config", "c", "--seed", "-1"},
+                                               {"--config", "c", "--threads", "1025"},
+                                               {"--config", "c", "--threads", "-1"},
+                                               {"--config", "c", "--scenes", "fake"},
+                                               {"--config", "c", "--set"},
+                                               {"--config", "a", "--config", "b"},
+                                               {"--config", "c", "--quiet=maybe"},
+                                               {"scene"},
+                                               {"scene", "x"},
+                                               {"scene", "x", "--image", "i", "--width", "0"},
+                                               {"scene", "x", "--image", "i", "--spheres", "-1"},
+                                               {"scene", "x", "--image", "i", "run"}}) {
+        const std::string error = error_of(wrong);
+        EXPECT_TRUE(error.starts_with("ctpbench: error: ")) << error << " " << wrong.back();
+        EXPECT_NE(error.find("--help"), std::string::npos) << error;
+    }
+}
+
+}  // namespace
+}  // namespace ctpbench

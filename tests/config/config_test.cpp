@@ -1,0 +1,258 @@
+#include "config/config.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/json_document.h"
+#include "config/cells.h"
+#include "names.h"
+
+namespace ctpbench {
+namespace {
+
+const std::string header = "{\"schema_version\": 1, \"experiment\": \"e\",\n";
+
+// The error of a config that goes on after the header, which is line 1.
+std::string error_of(const std::string& rest) {
+    try {
+        config_of(header + rest);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::usage);
+        return error.what();
+    }
+    return "no error";
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    std::ifstream stream(path);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+std::filesystem::path shipped(const std::string& name) {
+    return std::filesystem::path(CTPBENCH_SOURCE_DIR) / "configs" / name;
+}
+
+TEST(Config, HasADefaultForEverythingButItsNameAndVersion) {
+    const Config config = config_of(header + "\"description\": \"d\"}");
+    Config expected;
+    expected.experiment = "e";
+    expected.description = "d";
+    expected.tables = {"table2", "table3"};
+    EXPECT_EQ(config, expected);
+    EXPECT_EQ(expand(config, test_names()).size(), 1u);
+}
+
+TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
+    const Config config = config_of(header + R"("matrix": {
+        "scene": ["a", "b"], "spheres": 0, "sphere_radius": [0.01, 1], "builder": "paper", "backend": ["cpu"],
+        "strategy": ["oop", "ctp"], "restart_carries_t": [false, true], "traversal": "packet", "methods": "paper"
+    }, "width": 1, "height": 16384, "bounces": 2, "rounds": 3, "seed": 18446744073709551615, "threads": 4,
+    "reference": "oop", "batch_rays": 0, "oracle_rays": 1, "tables": []})");
+    EXPECT_EQ(config.matrix, (Axes{{"a", "b"},
+                                   {0},
+                                   {0.01, 1.0},
+                                   {"paper"},
+                                   {"cpu"},
+                                   {"oop", "ctp"},
+                                   {false, true},
+                                   {"packet"},
+                                   {"paper"}}));
+    EXPECT_EQ(config.height, 16384u);
+    EXPECT_EQ(config.seed, 18'446'744'073'709'551'615u);
+    EXPECT_EQ(config.reference, "oop");
+    EXPECT_TRUE(config.tables.empty());
+}
+
+TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
+    EXPECT_EQ(
+        error_of("\"matrix\": {\"shperes\": 1,\n  \"spheres\": [1, -1, 50000001, 1],\n"
+                 "  \"strategy\": [\"ctp\", \"opp\"], \"scene\": []},\n"
+                 "\"rounds\": 0, \"widht\": 3, \"seed\": 1.5,\n"
+                 "\"reference\": \"cpt\", \"tables\": [\"table3\", \"table1\", \"table3\"]}"),
+        "t.json:2:12: error: /matrix/shperes: unknown key; did you mean \"spheres\"?\n"
+        "t.json:3:18: error: /matrix/spheres/1: must be from 0 to 50000000, found -1\n"
+        "t.json:3:22: error: /matrix/spheres/2: must be from 0 to 50000000, found 50000001\n"
+        "t.json:3:32: error: /matrix/spheres/3: is here twice; remove one of the two\n"
+        "t.json:4:23: error: /matrix/strategy/1: unknown strategy \"opp\"; did you mean \"oop\"? choices: "
+        "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
+        "\"embree_default\"\n"
+        "t.json:4:40: error: /matrix/scene: an axis needs a value; give one, or remove the key\n"
+        "t.json:5:11: error: /rounds: must be from 1 to 10000, found 0\n"
+        "t.json:5:14: error: /widht: unknown key; did you mean \"width\"?\n"
+        "t.json:5:34: error: /seed: expected an integer written without point or exponent, found 1.5\n"
+        "t.json:6:14: error: /reference: unknown strategy \"cpt\"; did you mean \"ctp\"? choices: "
+        "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
+        "\"embree_default\"\n"
+        "t.json:6:42: error: /tables/1: unknown table \"table1\"; did you mean \"table2\"? choices: "
+        "\"table2\", \"table3\"\n"
+        "t.json:6:52: error: /tables/2: is here twice; remove one of the two");
+}
+
+TEST(Config, RefusesImpossibleAxes) {
+    EXPECT_EQ(error_of("\"matrix\": {\"sphere_radius\": [0.1, 0]}}"),
+              "t.json:2:35: error: /matrix/sphere_radius/1: must be greater than 0 and at most 10, found 0");
+    EXPECT_EQ(error_of("\"matrix\": {\"backend\": \"cuda\"}}"),
+              "t.json:2:23: error: /matrix/backend: unknown backend \"cuda\"; choices: \"cpu\"");
+    EXPECT_EQ(error_of("\"matrix\": {\"scene\": \"x/y\"}}"),
+              "t.json:2:21: error: /matrix/scene: give a scene file's name without folder and \".json\"; "
+              "--scene-dir adds folders");
+    EXPECT_EQ(error_of("\"matrix\": {\"restart_carries_t\": [true, \"no\"]}}"),
+              "t.json:2:40: error: /matrix/restart_carries_t/1: expected true or false, found \"no\"");
+    EXPECT_EQ(error_of("\"matrix\": []}"),
+              "t.json:2:11: error: /matrix: expected an object, found a list of 0");
+    std::string many;
+    for (int i = 0; i < 400; ++i) many += (i ? "," : "") + std::to_string(i);
+    std::string names;
+    for (int i = 0; i < 400; ++i) names += (i ? ",\"s" : "\"s") + std::to_string(i) + "\"";
+    EXPECT_EQ(error_of("\"matrix\": {\"spheres\": [" + many + "], \"scene\": [" + names + "]}}"),
+              "t.json:2:11: error: /matrix: makes more than 100000 cells; split the experiment");
+}
+
+TEST(Config, RefusesMatricesThatCannotBeRun) {
+    EXPECT_EQ(error_of("\"exclude\": [{\"scene\": \"smoke\"}]}"),
+              "t.json:2:12: error: /exclude: leaves nothing of the matrix; exclude less");
+    EXPECT_EQ(error_of("\"exclude\": [{}]}"),
+              "t.json:2:13: error: /exclude/0: would exclude everything; name an axis and its values");
+    EXPECT_EQ(error_of("\"exclude\": [{\"strategy\": \"cpt\"}, {\"scene\": []}, 3]}").substr(0, 53),
+              "t.json:2:26: error: /exclude/0/strategy: unknown stra");
+    EXPECT_EQ(error_of("\"include\": [{\"scene\": \"x\"}, {}]}"),
+              "t.json:2:29: error: /include/1: smoke/1000/cpu/ctp/single/watertight is there already; remove "
+              "it here");
+    EXPECT_EQ(error_of("\"reference\": \"oop\"}"),
+              "t.json:2:14: error: /reference: \"oop\" is not among the strategies measured; add it to "
+              "/matrix/strategy or refer to another");
+    EXPECT_EQ(error_of("\"matrix\": {\"strategy\": \"oop\"}}").substr(0, 34),
+              "t.json:1:1: error: /reference: \"ct");
+}
+
+TEST(Config, ThatMeasuresNothingHasNoContenders) {
+    EXPECT_EQ(error_of("\"measure\": false, \"matrix\": {\"builder\": \"paper\"}}"), "no error");
+    EXPECT_EQ(
+        error_of("\"measure\": false, \"matrix\": {\"strategy\": \"ctp\"}, \"tables\": [\"table3\"]}"),
+        "t.json:2:42: error: /matrix/strategy: means nothing as \"measure\" is false; remove one of the two\n"
+        "t.json:2:61: error: /tables/0: needs measurements, but \"measure\" is false; change one of the two");
+    EXPECT_EQ(config_of(header + "\"measure\": false}").tables, std::vector<std::string>{"table2"});
+}
+
+TEST(Config, ChecksItsHeader) {
+    const auto error = [](const std::string& text) -> std::string {
+        try {
+            config_of(text);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "no error";
+    };
+    EXPECT_EQ(error("{}"),
+              "t.json:1:1: error: \"schema_version\" is missing; add it\n"
+              "t.json:1:1: error: \"experiment\" is missing; add it");
+    EXPECT_EQ(error("{\"schema_version\": 2, \"experiment\": \"e\"}"),
+              "t.json:1:20: error: /schema_version: this program reads version 1, found 2");
+    for (const char* name : {"", "a/b", "..", "a b"}) {
+        EXPECT_TRUE(error("{\"schema_version\": 1, \"experiment\": \"" + std::string(name) + "\"}")
+                        .starts_with("t.json:1:37: error: /experiment: names files"))
+            << name;
+    }
+    EXPECT_EQ(error("{\"$schema\": \"x.json\", \"schema_version\": 1, \"experiment\": \"a-1.b_C\"}"),
+              "no error");
+}
+
+TEST(Config, CutShortAnywhereIsAnErrorWithAPlace) {
+    const std::string text = read_text(shipped("table3.json"));
+    const std::size_t end = text.rfind('}');
+    ASSERT_NE(end, std::string::npos);
+    for (std::size_t length = 0; length <= end; ++length) {
+        try {
+            config_of(text.substr(0, length));
+            ADD_FAILURE() << "accepted " << length << " bytes";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::usage);
+            std::size_t line = 0, column = 0;
+            EXPECT_EQ(std::sscanf(error.what(), "t.json:%zu:%zu: error: ", &line, &column), 2)
+                << error.what();
+            EXPECT_GE(line, 1u);
+            EXPECT_GE(column, 1u);
+        }
+    }
+}
+
+TEST(Config, AnyByteChangedNeverCrashes) {
+    const std::string text = read_text(shipped("smoke.json"));
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        for (const char c : {'\0', '"', '{', '}', '[', ']', ',', '/', '*', '\\', '9', '-', '\n', '\xC3'}) {
+            std::string changed = text;
+            changed[i] = c;
+            try {
+                config_of(changed);
+            } catch (const Error& error) {
+                EXPECT_TRUE(std::string(error.what()).starts_with("t.json:")) << error.what();
+            }
+        }
+    }
+}
+
+TEST(Config, EchoReadsBackTheSame) {
+    std::vector<Config> configs = {config_of(header + R"("matrix": {"strategy": ["ctp", "restart"],
+        "spheres": [0, 7], "sphere_radius": [0.1, 0.3], "restart_carries_t": [false]},
+        "exclude": [{"spheres": 0, "strategy": ["restart"]}], "include": [{"scene": "x"}, {"spheres": [1, 2]}],
+        "seed": 18446744073709551615, "tables": []})")};
+    for (const auto& entry : std::filesystem::directory_iterator(shipped(""))) {
+        configs.push_back(load_config(entry.path(), {}, test_names()));
+    }
+    for (const Config& config : configs) {
+        const nlohmann::json echo = to_json(config);
+        EXPECT_EQ(config_of(echo.dump()), config) << echo.dump(2);
+        EXPECT_EQ(to_json(config_of(echo.dump())), echo);
+    }
+}
+
+TEST(Config, EchoHasEveryDefault) {
+    const nlohmann::json echo = to_json(config_of(header + "\"width\": 8}"));
+    EXPECT_EQ(echo["width"], 8);
+    EXPECT_EQ(echo["height"], 1024);
+    EXPECT_EQ(echo["matrix"]["methods"], nlohmann::json::array({"watertight"}));
+    EXPECT_EQ(echo["matrix"].size(), 9u);
+}
+
+TEST(Config, EditsApplyBeforeReading) {
+    const auto load = [](const std::vector<ConfigEdit>& edits) {
+        return load_config(shipped("table3.json"), edits, test_names());
+    };
+    const Config config = load({{"/matrix/spheres=[5]", ""},
+                                {"/matrix/scene=sponza", ""},
+                                {"/rounds=2", ""},
+                                {"/rounds=3", "--rounds 3"}});
+    EXPECT_EQ(config.matrix.spheres, std::vector<std::uint32_t>{5});
+    EXPECT_EQ(config.matrix.scene, std::vector<std::string>{"sponza"});
+    EXPECT_EQ(config.rounds, 3u);
+    try {
+        load({{"/rounds=0", "--rounds 0"}, {"/matrix/spheres=many", ""}, {"/matirx=1", ""}});
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_STREQ(
+            error.what(),
+            "--rounds 0: error: /rounds: must be from 1 to 10000, found 0\n"
+            "--set /matrix/spheres=many: error: /matrix/spheres: expected an integer written without point "
+            "or exponent, found \"many\"\n"
+            "--set /matirx=1: error: /matirx: unknown key; did you mean \"matrix\"?");
+    }
+}
+
+TEST(Config, ShippedConfigsHaveTheirCells) {
+    const auto cells = [](const std::string& name) {
+        return expand(load_config(shipped(name), {}, test_names()), test_names()).size();
+    };
+    EXPECT_EQ(cells("smoke.json"), 9u);           // 8 strategies, restart twice
+    EXPECT_EQ(cells("table2.json"), 2u * 4 * 2);  // scenes, sphere counts, builders
+    EXPECT_EQ(cells("table3.json"), 2u * 3 * 9);
+    EXPECT_EQ(cells("triangles.json"), 3u * 6);
+}
+
+}  // namespace
+}  // namespace ctpbench

@@ -1,0 +1,25 @@
+// Names for tests that do not care which ones the program really has.
+#pragma once
+
+#include <string>
+
+#include "base/json_document.h"
+#include "config/config.h"
+
+namespace ctpbench {
+
+inline KnownNames test_names() {
+    KnownNames known;
+    known.strategies = {"ctp", "std_variant", "oop", "oop_arena", "restart", "typed_leaves"};
+    known.yardsticks = {"embree_robust", "embree_default"};
+    known.traversals = {"single", "packet"};
+    known.methods = {"watertight", "paper"};
+    known.builders = {"quality", "paper"};
+    return known;
+}
+
+inline Config config_of(const std::string& text) {
+    return read_config(JsonDocument::parse(text, "t.json"), test_names());
+}
+
+}  // namespace ctpbench

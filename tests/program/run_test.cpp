@@ -1,0 +1,103 @@
+// Whole runs of a small experiment: what they leave behind, and what must hold of it.
+#include <algorithm>
+#include <set>
+
+#include "run_program.h"
+
+namespace ctpbench::test {
+namespace {
+
+// The smoke experiment, smaller still.
+const char* kSmall = " --config $C/smoke.json --quiet --rounds 2 --set /width=64 --set /height=32";
+
+class Run : public ProgramTest {};
+
+TEST_F(Run, LeavesRowsAndTables) {
+    const Outcome outcome = run(std::string("--out $D/r") + kSmall);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    for (const char* file :
+         {"rows.csv", "summary.csv", "trees.csv", "table2.csv", "table3.csv", "table3.md", "meta.json"})
+        EXPECT_TRUE(std::filesystem::exists(folder_ / "r" / file)) << file;
+    const auto rows = read_csv(folder_ / "r/rows.csv");
+    ASSERT_FALSE(rows.empty());
+    std::map<std::string, std::set<std::string>> hashes;
+    std::set<std::string> strategies;
+    for (const auto& row : rows) {
+        EXPECT_EQ(row.at("valid"), "true");
+        EXPECT_EQ(row.at("scene_source"), "stand-in");
+        EXPECT_GT(std::stod(row.at("throughput_mrays_s")), 0.0);
+        EXPECT_NEAR(std::stod(row.at("rays")) / std::stod(row.at("time_ms")) * 1e-3,
+                    std::stod(row.at("throughput_mrays_s")), 1e-3 * std::stod(row.at("throughput_mrays_s")));
+        strategies.insert(row.at("strategy"));
+        if (row.at("methods") == "watertight")
+            hashes[row.at("spheres") + "/" + row.at("bounce")].insert(row.at("hit_hash"));
+    }
+    for (const auto& [batch, distinct] : hashes) EXPECT_EQ(distinct.size(), 1u) << batch;
+    for (const char* name : {"ctp", "std_variant", "oop", "oop_arena", "restart", "typed_leaves"})
+        EXPECT_TRUE(strategies.count(name)) << name;
+    const std::string meta = read(folder_ / "r/meta.json");
+    EXPECT_NE(meta.find("\"state\": \"complete\""), std::string::npos);
+}
+
+TEST_F(Run, HitsDoNotDependOnThreads) {
+    std::vector<std::vector<std::string>> hashes;
+    for (const char* threads : {"1", "2"}) {
+        const std::string out = std::string("t") + threads;
+        const Outcome outcome = run("--out $D/" + out + " --threads " + threads + " --filter /ctp/" + kSmall);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+        auto& column = hashes.emplace_back();
+        for (const auto& row : read_csv(folder_ / out / "rows.csv")) {
+            column.push_back(row.at("hit_hash"));
+            EXPECT_EQ(row.at("threads"), threads);
+        }
+    }
+    EXPECT_FALSE(hashes[0].empty());
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST_F(Run, RefusesToMixTwoRuns) {
+    ASSERT_EQ(run(std::string("--out $D/r --filter /ctp/") + kSmall).exit_code, 0);
+    const std::string before = read(folder_ / "r/rows.csv");
+    const Outcome second = run(std::string("--out $D/r --filter /ctp/") + kSmall);
+    EXPECT_EQ(second.exit_code, 8);
+    EXPECT_NE(second.output.find("another run"), std::string::npos) << second.output;
+    EXPECT_EQ(read(folder_ / "r/rows.csv"), before);
+}
+
+TEST_F(Run, KeepsWhatWasMeasuredWhenInterrupted) {
+    // Enough rounds for minutes; the signal comes as soon as the first rows are there.
+    const Outcome outcome = run_shell("D='" + folder_.string() +
+                                      "'; \"$P\" --config '" CTPBENCH_SOURCE_DIR
+                                      "/configs/smoke.json' --out $D/r "
+                                      "--quiet --rounds 10000 --filter /ctp/ & pid=$!; "
+                                      "for i in $(seq 600); do [ \"$(wc -l <$D/r/rows.csv 2>/dev/null || "
+                                      "echo 0)\" -gt 5 ] && break; sleep 0.1; done; "
+                                      "kill -INT $pid; wait $pid");
+    EXPECT_EQ(outcome.exit_code, 130) << outcome.output;
+    EXPECT_NE(outcome.output.find("interrupted: what was measured is in"), std::string::npos)
+        << outcome.output;
+    const auto rows = read_csv(folder_ / "r/rows.csv");
+    ASSERT_GT(rows.size(), 3u);
+    for (const auto& row : rows) EXPECT_EQ(row.at("valid"), "true");
+    EXPECT_NE(read(folder_ / "r/meta.json").find("\"state\": \"interrupted\""), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "r/summary.csv"));
+}
+
+TEST_F(Run, DryRunListAndVersionMeasureNothing) {
+    const Outcome dry = run(std::string("--dry-run") + kSmall);
+    EXPECT_EQ(dry.exit_code, 0) << dry.output;
+    EXPECT_NE(dry.output.find("typed_leaves"), std::string::npos);
+    const Outcome list = run("--list");
+    EXPECT_EQ(list.exit_code, 0);
+    for (const char* name :
+         {"san_miguel", "smoke", "typed_leaves", "watertight", "embree_robust", "quality", "cpu"})
+        EXPECT_NE(list.output.find(name), std::string::npos) << name;
+    EXPECT_EQ(run("--version").output.rfind("ctpbench ", 0), 0u);
+    const Outcome help = run("--help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.output.find("--config"), std::string::npos);
+    EXPECT_NE(help.output.find("130"), std::string::npos) << "exit codes are documented";
+}
+
+}  // namespace
+}  // namespace ctpbench::test

@@ -1,0 +1,102 @@
+#include "scene/scene_file.h"
+
+#include "tests/scene/files.h"
+
+namespace ctpbench {
+namespace {
+
+class SceneFileTest : public SceneFiles {
+protected:
+    SceneFile parse(const std::string& text) { return read_scene_file(write("a.json", text)); }
+};
+
+TEST_F(SceneFileTest, ReadsEveryKey) {
+    const SceneFile file = parse(R"({
+        "schema_version": 1, "name": "a",
+        "mesh": [{"file": "a.obj", "triangles": 12, "variant": "v"},
+                 {"file": ["b.obj", "c.obj"], "camera": {"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 1], "fov": 84}}],
+        "stand_in": "b", "paper_triangles": 13,
+        "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]},
+        "spheres": {"count": 7, "radius": 0.5, "seed": 18446744073709551615, "diffuse": [0, 0.5, 1]},
+        "overrides": {"materials": {"carpet": {"diffuse": [1, 0, 0]}}}
+    })");
+    EXPECT_EQ(file.name, "a");
+    ASSERT_EQ(file.meshes.size(), 2u);
+    EXPECT_EQ(file.meshes[0].triangles, 12u);
+    EXPECT_EQ(file.meshes[0].variant, "v");
+    EXPECT_FALSE(file.meshes[0].camera.has_value());
+    EXPECT_EQ(file.meshes[1].files, (std::vector<std::string>{"b.obj", "c.obj"}));
+    EXPECT_EQ(file.meshes[1].camera->fov_degrees, 84.0f);
+    EXPECT_EQ(file.camera->up, (Vec3{0, 1, 0}));
+    EXPECT_EQ(file.stand_in, "b");
+    EXPECT_EQ(file.paper_triangles, 13u);
+    EXPECT_EQ(file.spheres.count, 7u);
+    EXPECT_EQ(file.spheres.seed, 18446744073709551615ull);
+    ASSERT_EQ(file.overrides.size(), 1u);
+    EXPECT_EQ(file.overrides[0].material, "carpet");
+    EXPECT_EQ(file.overrides[0].place.line, 8u);
+}
+
+TEST_F(SceneFileTest, ReadsARecipe) {
+    const SceneFile file =
+        parse(R"({"schema_version": 1, "name": "a", "recipe": {"name": "smoke", "seed": 3}})");
+    ASSERT_TRUE(file.recipe.has_value());
+    EXPECT_EQ(file.recipe->name, "smoke");
+    EXPECT_EQ(file.recipe->seed, 3u);
+    EXPECT_FALSE(file.camera.has_value());
+}
+
+TEST_F(SceneFileTest, NamesThePlaceOfEachMistake) {
+    const std::string start = R"({"schema_version": 1, "name": "a", "mesh": {"file": "a.obj"}, )";
+    const auto expect = [&](const std::string& rest, const std::string& part) {
+        EXPECT_ERROR(parse(start + rest + "}"), ExitCode::usage, part);
+    };
+    expect("\n\"stand-in\": \"b\"", "a.json:2:1: error: /stand-in: unknown key; did you mean \"stand_in\"");
+    expect(R"("recipe": {"name": "smoke"})", "either \"mesh\" or \"recipe\"");
+    expect(R"("camera": {"eye": [0, 0, 0]})", "target");
+    expect(R"("camera": {"eye": [0, 0, 0], "target": [0, 5, 0]})", "must not be zero or along its view");
+    expect(R"("camera": {"eye": [0, 0, 0], "target": [0, 0, 1], "fov": 180})", "fov");
+    expect(R"("spheres": {"radius": 0})", "radius");
+    expect(R"("spheres": {"count": -1})", "count");
+    expect(R"("overrides": {"materials": {"x": {"diffuse": [2, 0, 0]}}})", "diffuse");
+    expect(R"("overrides": {"materials": {"x": {}}})", "diffuse");
+    expect(R"("overrides": {"material": {}})", "unknown key");
+}
+
+TEST_F(SceneFileTest, RefusesAnIncompleteScene) {
+    EXPECT_ERROR(parse("{}"), ExitCode::usage, "schema_version");
+    EXPECT_ERROR(parse(R"({"schema_version": 2, "name": "a", "mesh": {"file": "a.obj"}})"), ExitCode::usage,
+                 "schema_version");
+    EXPECT_ERROR(parse(R"({"schema_version": 1, "name": "a"})"), ExitCode::usage,
+                 "either \"mesh\" or \"recipe\"");
+    EXPECT_ERROR(parse(R"({"schema_version": 1, "name": "a", "mesh": {}})"), ExitCode::usage,
+                 "needs a \"file\"");
+    EXPECT_ERROR(parse(R"({"schema_version": 1, "name": "a", "mesh": []})"), ExitCode::usage,
+                 "needs a \"file\"");
+    EXPECT_ERROR(parse(R"({"schema_version": 1, "name": "a", "recipe": {"name": "smok"}})"), ExitCode::usage,
+                 "smoke");
+    EXPECT_ERROR(parse(""), ExitCode::usage, "a.json");
+    EXPECT_ERROR(read_scene_file(folder / "gone.json"), ExitCode::usage, "gone.json");
+}
+
+#ifdef CTPBENCH_SOURCE_DIR
+TEST_F(SceneFileTest, TheScenesThatShipAreRight) {
+    int scenes = 0;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(fs::path(CTPBENCH_SOURCE_DIR) / "scenes")) {
+        if (entry.path().extension() != ".json" || entry.path().stem() == "manifest") continue;
+        const SceneFile file = read_scene_file(entry.path());
+        EXPECT_EQ(file.name, entry.path().stem());
+        if (!file.stand_in.empty()) {
+            const SceneFile stand_in =
+                read_scene_file(entry.path().parent_path() / (file.stand_in + ".json"));
+            EXPECT_TRUE(stand_in.recipe.has_value());
+        }
+        ++scenes;
+    }
+    EXPECT_GE(scenes, 6);
+}
+#endif
+
+}  // namespace
+}  // namespace ctpbench

@@ -1,0 +1,180 @@
+// The suite's first invariant: hits are a function of scene and ray alone. Every strategy, tree, pass
+// order and number of threads gives what a loop over all primitives gives, bit for bit.
+#include <gtest/gtest.h>
+
+#include "support.h"
+#include "wavefront/columns.h"
+#include "wavefront/forest.h"
+#include "wavefront/intersector.h"
+#include "wavefront/paths.h"
+
+namespace ctpbench {
+namespace {
+
+using test::kInfinity;
+using test::Random;
+
+const std::set<TreeKind> kAllTrees = {TreeKind::mixed, TreeKind::typed_leaves, TreeKind::per_type};
+
+Forest forest_of(CpuBackend& backend, const Scene& scene, const SbvhSettings& settings) {
+    return build_forest(backend, scene, kAllTrees, settings, nullptr, [](const std::string&, double) {});
+}
+
+// Rays at random, along axes, at vertices and at edges, from inside and outside the scene.
+RayStorage adversarial_rays(const Scene& scene, std::uint32_t count, std::uint64_t seed) {
+    RayStorage storage;
+    storage.resize(count);
+    const Box box = scene_bounds(scene);
+    Random random(seed);
+    const auto somewhere = [&](float spread) {
+        const Vec3 e = box.extent();
+        return box.center() + spread * (e * random.point(-0.5f, 0.5f));
+    };
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Vec3 origin = somewhere(i % 2 == 0 ? 1.0f : 3.0f);
+        Vec3 d = random.direction();
+        const auto triangles = scene.mesh.triangles.size();
+        if (triangles > 0 && i % 4 == 1) {
+            const TriangleShape t = scene.mesh.triangle(i % triangles);
+            d = (i % 8 == 1 ? t.a : t.a + random.uniform(0, 1) * (t.b - t.a)) - origin;
+        } else if (i % 4 == 2) {
+            d[i % 3] = 0.0f;
+        } else if (i % 16 == 3) {
+            d = {0, 0, 0};
+            d[i % 3] = i % 5 == 0 ? -1.0f : 1.0f;
+        }
+        storage.view().store(i, {origin, d, i % 32 == 0 ? 0.3f * length(box.extent()) : kInfinity});
+    }
+    return storage;
+}
+
+struct Traced {
+    HitStorage hits;
+    std::uint32_t found = 0, spheres = 0;
+};
+
+Traced trace(CpuBackend& backend, const Intersector& intersector, RayStorage& rays,
+             const GeometryView& geometry, bool carry_t) {
+    Traced traced;
+    const auto n = static_cast<std::uint32_t>(rays.size());
+    traced.hits.resize(n);
+    std::vector<std::uint32_t> index(n);
+    for (std::uint32_t i = 0; i < n; ++i) index[i] = n - 1 - i;  // any order will do
+    intersector.intersect(backend, {rays.view(), traced.hits.view(), index.data(), n, geometry.extent},
+                          carry_t);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t id = traced.hits.view().primitive[i];
+        traced.found += id != kNoPrimitive;
+        traced.spheres += id != kNoPrimitive && id >= geometry.first_sphere();
+    }
+    return traced;
+}
+
+template <class Methods>
+HitStorage brute_force(RayStorage& rays, const GeometryView& geometry) {
+    HitStorage hits;
+    hits.resize(rays.size());
+    for (std::uint32_t i = 0; i < rays.size(); ++i) {
+        const Ray ray = rays.view().load(i);
+        const RayContext<Methods> context(ray, geometry.extent);
+        Hit hit = no_hit(ray);
+        for_each_type(Primitives<Methods>{}, [&](auto tag) {
+            using T = typename decltype(tag)::type;
+            for (std::uint32_t p = 0; p < T::count(geometry); ++p)
+                T::make(geometry, p).intersect(context, hit);
+        });
+        hits.view().store(i, hit);
+    }
+    return hits;
+}
+
+struct Case {
+    const char* name;
+    std::uint32_t triangles, spheres;
+    float scale;
+    Vec3 offset;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+class Strategies : public testing::TestWithParam<Case> {};
+
+TEST_P(Strategies, AllGiveWhatALoopOverAllPrimitivesGives) {
+    const Case& c = GetParam();
+    const Scene scene = test::soup(c.triangles, c.spheres, 17, c.scale, c.offset);
+    const SceneView view(scene);
+    RayStorage rays = adversarial_rays(scene, 6000, 23);
+    const std::uint64_t expected = brute_force<Watertight>(rays, view.geometry()).hash();
+    CpuBackend one(1), two(2);
+    for (const BuilderInfo& builder : tree_builders()) {
+        const Forest forest = forest_of(two, scene, builder.settings);
+        for (const StrategyInfo& strategy : intersect_strategies()) {
+            const auto intersector =
+                make_intersector(strategy.name, "watertight", forest.layout_input(view.geometry()));
+            for (CpuBackend* backend : {&one, &two})
+                for (bool carry_t : {true, false}) {
+                    const Traced traced = trace(*backend, *intersector, rays, view.geometry(), carry_t);
+                    EXPECT_EQ(traced.hits.hash(), expected)
+                        << strategy.name << ", builder " << builder.name << ", " << backend->threads()
+                        << " threads, carry_t " << carry_t;
+                    EXPECT_GT(traced.found, 300u);
+                    EXPECT_EQ(traced.spheres > 0, c.spheres > 0);
+                }
+            EXPECT_GT(intersector->bytes(), 0u);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Soups, Strategies,
+                         testing::Values(Case{"mixed", 600, 200, 1.0f, {0, 0, 0}},
+                                         Case{"triangles_alone", 600, 0, 1.0f, {0, 0, 0}},
+                                         Case{"spheres_alone", 0, 600, 1.0f, {0, 0, 0}},
+                                         Case{"one_triangle_one_sphere", 1, 1, 1.0f, {0, 0, 0}},
+                                         Case{"far_from_the_origin", 600, 200, 1.0f, {1e4f, -2e4f, 3e4f}},
+                                         Case{"tiny", 600, 200, 1e-6f, {0, 0, 0}},
+                                         Case{"huge", 600, 200, 1e6f, {0, 0, 0}}),
+                         [](const auto& param) { return std::string(param.param.name); });
+
+// The paper's own tests promise less: the same strategies agree on all but a few rays.
+TEST(PaperMethods, AgreeAlmostEverywhere) {
+    const Scene scene = test::soup(600, 200, 17);
+    const SceneView view(scene);
+    RayStorage rays = adversarial_rays(scene, 6000, 23);
+    HitStorage expected = brute_force<PaperMethods>(rays, view.geometry());
+    CpuBackend backend(2);
+    const Forest forest = forest_of(backend, scene, SbvhSettings::paper());
+    for (const StrategyInfo& strategy : intersect_strategies()) {
+        const auto intersector =
+            make_intersector(strategy.name, "paper", forest.layout_input(view.geometry()));
+        Traced traced = trace(backend, *intersector, rays, view.geometry(), true);
+        int different = 0;
+        for (std::uint32_t i = 0; i < rays.size(); ++i)
+            different += traced.hits.view().primitive[i] != expected.view().primitive[i];
+        EXPECT_LT(different, 30) << strategy.name;
+    }
+}
+
+TEST(Ties, CoincidentPrimitivesGoToTheLowestId) {
+    Scene scene = test::soup(0, 0, 1);
+    scene.mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+    for (int i = 0; i < 40; ++i) scene.mesh.triangles.push_back({0, 1, 2}), scene.mesh.material.push_back(0);
+    for (int i = 0; i < 40; ++i) scene.spheres.push_back({{0, 0, 5}, 1});
+    const SceneView view(scene);
+    CpuBackend backend(1);
+    RayStorage rays;
+    rays.resize(2);
+    rays.view().store(0, {{0, 0, -3}, {0, 0, 1}, kInfinity});
+    rays.view().store(1, {{0, 0, 9}, {0, 0, -1}, kInfinity});
+    for (const BuilderInfo& builder : tree_builders()) {
+        const Forest forest = forest_of(backend, scene, builder.settings);
+        for (const StrategyInfo& strategy : intersect_strategies()) {
+            const auto intersector =
+                make_intersector(strategy.name, "watertight", forest.layout_input(view.geometry()));
+            Traced traced = trace(backend, *intersector, rays, view.geometry(), true);
+            EXPECT_EQ(traced.hits.view().primitive[0], 0u) << strategy.name;
+            EXPECT_EQ(traced.hits.view().primitive[1], 40u) << strategy.name;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ctpbench
