@@ -28,6 +28,10 @@ CTP_INLINE void traverse(const BvhNode* nodes, const RayContext<Methods>& ray, H
         while (!node->is_leaf()) {
             const std::uint32_t first = node->first;
             const BvhNode* pair = nodes + first;
+            // The grandchildren of whichever child comes next, while this pair's boxes are tested. (For a
+            // leaf this is some other node, which does no harm.)
+            prefetch(nodes + pair[0].first);
+            prefetch(nodes + pair[1].first);
             float near0, near1;
             const bool hit0 = BoxTest::test(pair[0], ray.box, hit.t, near0);
             const bool hit1 = BoxTest::test(pair[1], ray.box, hit.t, near1);

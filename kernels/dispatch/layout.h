@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "../array.h"
 #include "../bvh.h"
 #include "../intersect.h"
 #include "../primitives/list.h"

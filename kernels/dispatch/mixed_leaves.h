@@ -2,8 +2,6 @@
 // what an element is and in how it finds its type's test, which is all that the suite compares here.
 #pragma once
 
-#include <vector>
-
 #include "../traverse.h"
 #include "layout.h"
 
@@ -29,8 +27,8 @@ struct MixedLeaves {
 // One element per leaf entry: a spatially split primitive is stored once per reference, so that a leaf's
 // elements are contiguous. `make(value)` turns a primitive into an element.
 template <class Methods, class Element, class Make>
-std::vector<Element> elements_in_leaf_order(const TreeView& tree, const GeometryView& geometry, Make&& make) {
-    std::vector<Element> elements;
+Array<Element> elements_in_leaf_order(const TreeView& tree, const GeometryView& geometry, Make&& make) {
+    Array<Element> elements;
     elements.reserve(tree.ref_count);
     for (std::size_t i = 0; i < tree.ref_count; ++i) {
         const PrimitiveRef ref = tree.refs[i];
@@ -55,7 +53,7 @@ public:
 
 private:
     const BvhNode* nodes_;
-    std::vector<Element> elements_;
+    Array<Element> elements_;
 };
 
 }  // namespace ctpbench

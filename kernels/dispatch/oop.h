@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "../oop.h"
 #include "mixed_leaves.h"
@@ -50,7 +51,7 @@ struct Oop {
     private:
         const BvhNode* nodes_;
         std::vector<std::unique_ptr<Base>> objects_;
-        std::vector<const Base*> elements_;
+        Array<const Base*> elements_;
         std::size_t bytes_ = 0;
     };
 

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <tuple>
+#include <vector>
 
 #include "oop.h"
 
@@ -16,7 +17,7 @@ struct OopArena {
     using Base = PrimitiveBase<Methods>;
 
     template <class... Ts>
-    using Arenas = std::tuple<std::vector<PrimitiveObject<Methods, Ts>>...>;
+    using Arenas = std::tuple<Array<PrimitiveObject<Methods, Ts>>...>;
 
     class Layout {
     public:
@@ -53,13 +54,13 @@ struct OopArena {
 
     private:
         template <class T>
-        std::vector<PrimitiveObject<Methods, T>>& arena() {
-            return std::get<std::vector<PrimitiveObject<Methods, T>>>(arenas_);
+        Array<PrimitiveObject<Methods, T>>& arena() {
+            return std::get<Array<PrimitiveObject<Methods, T>>>(arenas_);
         }
 
         const BvhNode* nodes_;
         Rebind<Arenas, Primitives<Methods>> arenas_;
-        std::vector<const Base*> elements_;
+        Array<const Base*> elements_;
     };
 
     template <class ForEach>

@@ -27,7 +27,7 @@ struct Restart {
     };
 
     template <class... Ts>
-    using Arrays = std::tuple<std::vector<Ts>...>;
+    using Arrays = std::tuple<Array<Ts>...>;
 
     class Layout {
     public:
@@ -36,7 +36,7 @@ struct Restart {
                 using T = typename decltype(tag)::type;
                 const TreeView& tree = in.per_type[index_of<T, Primitives<Methods>>];
                 nodes_[index_of<T, Primitives<Methods>>] = tree.nodes;
-                auto& array = std::get<std::vector<T>>(arrays_);
+                auto& array = std::get<Array<T>>(arrays_);
                 array.reserve(tree.ref_count);
                 for (std::size_t i = 0; i < tree.ref_count; ++i)
                     array.push_back(T::make(in.geometry, tree.refs[i].index));
@@ -44,12 +44,12 @@ struct Restart {
         }
         template <class T>
         View<T> view() const {
-            return {nodes_[index_of<T, Primitives<Methods>>], {std::get<std::vector<T>>(arrays_).data()}};
+            return {nodes_[index_of<T, Primitives<Methods>>], {std::get<Array<T>>(arrays_).data()}};
         }
         // A type that the scene lacks has no tree and needs no pass.
         template <class T>
         bool has() const {
-            return !std::get<std::vector<T>>(arrays_).empty();
+            return !std::get<Array<T>>(arrays_).empty();
         }
         std::size_t bytes() const {
             std::size_t total = 0;

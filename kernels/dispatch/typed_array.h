@@ -1,8 +1,6 @@
 // The elements of one type in leaf order, and the loop over a leaf of them: no branch on type inside.
 #pragma once
 
-#include <vector>
-
 #include "layout.h"
 
 namespace ctpbench {

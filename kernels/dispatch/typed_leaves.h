@@ -3,8 +3,9 @@
 #pragma once
 
 #include <tuple>
+#include <vector>
 
-#include "../node_array.h"
+#include "../array.h"
 #include "../traverse.h"
 #include "typed_array.h"
 
@@ -34,7 +35,7 @@ struct TypedLeaves {
     };
 
     template <class... Ts>
-    using Vectors = std::tuple<std::vector<Ts>...>;
+    using Vectors = std::tuple<Array<Ts>...>;
 
     class Layout {
     public:
@@ -46,7 +47,7 @@ struct TypedLeaves {
                 const PrimitiveRef ref = in.typed_leaves.refs[i];
                 visit_type<Primitives<Methods>>(ref.type, [&](auto tag) {
                     using T = typename decltype(tag)::type;
-                    auto& elements = std::get<std::vector<T>>(vectors_);
+                    auto& elements = std::get<Array<T>>(vectors_);
                     place[i] = static_cast<std::uint32_t>(elements.size());
                     elements.push_back(T::make(in.geometry, ref.index));
                 });
@@ -59,7 +60,7 @@ struct TypedLeaves {
             for_each_type(Primitives<Methods>{}, [&](auto tag) {
                 using T = typename decltype(tag)::type;
                 static_cast<TypedArray<Methods, T>&>(view.arrays).elements =
-                    std::get<std::vector<T>>(vectors_).data();
+                    std::get<Array<T>>(vectors_).data();
             });
             return view;
         }

@@ -1,11 +1,7 @@
 #include "accel/tree.h"
 
-// GCC 12 warns about its own AVX-512 intrinsics once they are inlined here; the hash is the same.
-#define XXH_VECTOR 0
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 #include "accel/parallel.h"
+#include "base/hash.h"
 
 namespace ctpbench {
 
@@ -27,9 +23,6 @@ float sah_cost(const Tree& tree) {
     return static_cast<float>(cost);
 }
 
-std::uint64_t hash(const Tree& tree) {
-    const std::uint64_t nodes = XXH3_64bits(tree.nodes.data(), tree.nodes.size() * sizeof(BvhNode));
-    return XXH3_64bits_withSeed(tree.refs.data(), tree.refs.size() * sizeof(PrimitiveRef), nodes);
-}
+std::uint64_t hash(const Tree& tree) { return hash_vector(tree.refs, hash_vector(tree.nodes)); }
 
 }  // namespace ctpbench

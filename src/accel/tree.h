@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "kernels/bvh.h"
-#include "kernels/node_array.h"
+#include "kernels/array.h"
 
 namespace ctpbench {
 

@@ -1,0 +1,34 @@
+// Instantiates the kernels' functors in device code: the headers are single source, and this keeps them so
+// on machines without a GPU. Compiled by scripts/check_headers where there is an nvcc; never run.
+#include "kernels/compact.h"
+#include "kernels/generate.h"
+#include "kernels/registry.h"
+#include "kernels/shade.h"
+
+namespace ctpbench {
+
+template <class Kernel>
+__global__ void run(Kernel kernel, std::uint32_t count) {
+    const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
+    if (i < count) kernel(i);
+}
+
+template <class Methods>
+void launch_strategies(const LayoutInput& input, const IntersectBuffers& io) {
+    const auto launch = [](std::uint32_t count, const auto& kernel) { run<<<1, 1>>>(kernel, count); };
+    Ctp<Methods>::intersect(typename Ctp<Methods>::Layout(input), io, true, launch);
+    StdVariant<Methods>::intersect(typename StdVariant<Methods>::Layout(input), io, true, launch);
+    Restart<Methods>::intersect(typename Restart<Methods>::Layout(input), io, true, launch);
+    TypedLeaves<Methods>::intersect(typename TypedLeaves<Methods>::Layout(input), io, true, launch);
+}
+
+void instantiate(const LayoutInput& input, const IntersectBuffers& io) {
+    launch_strategies<Watertight>(input, io);
+    launch_strategies<PaperMethods>(input, io);
+    run<<<1, 1>>>(GenerateKernel{}, 1);
+    run<<<1, 1>>>(ShadeKernel{}, 1);
+    run<<<1, 1>>>(CompactCountKernel{}, 1);
+    run<<<1, 1>>>(CompactScatterKernel{}, 1);
+}
+
+}  // namespace ctpbench
