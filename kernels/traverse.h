@@ -8,10 +8,12 @@
 namespace ctpbench {
 
 // Calls leaf(node) for every leaf that the ray can meet at or before hit.t, which the call may lower.
+// entries(node) is the address of a leaf's first entry, to be fetched ahead.
 // Both children are tested from their parent's step; the choice among them is arithmetic rather than
 // branches, which incoherent rays would mispredict.
-template <class Methods, class Leaf>
-CTP_INLINE void traverse(const BvhNode* nodes, const RayContext<Methods>& ray, Hit& hit, Leaf&& leaf) {
+template <class Methods, class Entries, class Leaf>
+CTP_INLINE void traverse(const BvhNode* nodes, const RayContext<Methods>& ray, Hit& hit, Entries&& entries,
+                         Leaf&& leaf) {
     using BoxTest = typename Methods::Box;
     struct Entry {
         std::uint32_t node;
@@ -28,10 +30,9 @@ CTP_INLINE void traverse(const BvhNode* nodes, const RayContext<Methods>& ray, H
         while (!node->is_leaf()) {
             const std::uint32_t first = node->first;
             const BvhNode* pair = nodes + first;
-            // The grandchildren of whichever child comes next, while this pair's boxes are tested. (For a
-            // leaf this is some other node, which does no harm.)
-            prefetch(nodes + pair[0].first);
-            prefetch(nodes + pair[1].first);
+            // What comes after either child, while this pair's boxes are tested.
+            prefetch(pair[0].is_leaf() ? entries(pair[0]) : nodes + pair[0].first);
+            prefetch(pair[1].is_leaf() ? entries(pair[1]) : nodes + pair[1].first);
             float near0, near1;
             const bool hit0 = BoxTest::test(pair[0], ray.box, hit.t, near0);
             const bool hit1 = BoxTest::test(pair[1], ray.box, hit.t, near1);

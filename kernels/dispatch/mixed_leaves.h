@@ -14,7 +14,8 @@ struct MixedLeaves {
     const Element* elements;
 
     CTP_INLINE void closest_hit(const RayContext<Methods>& ray, Hit& hit) const {
-        traverse<Methods>(nodes, ray, hit, [&](const BvhNode& leaf) {
+        const auto entries = [&](const BvhNode& leaf) -> const void* { return elements + leaf.first; };
+        traverse<Methods>(nodes, ray, hit, entries, [&](const BvhNode& leaf) {
             const Element* e = elements + leaf.first;
             const Element* end = e + leaf.count();
             do {

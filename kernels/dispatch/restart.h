@@ -21,7 +21,10 @@ struct Restart {
         TypedArray<Methods, T> array;
 
         CTP_INLINE void closest_hit(const RayContext<Methods>& ray, Hit& hit) const {
-            traverse<Methods>(nodes, ray, hit,
+            const auto entries = [&](const BvhNode& leaf) -> const void* {
+                return array.elements + leaf.first;
+            };
+            traverse<Methods>(nodes, ray, hit, entries,
                               [&](const BvhNode& leaf) { array.intersect_leaf(leaf, ray, hit); });
         }
     };

@@ -25,7 +25,18 @@ struct TypedLeaves {
         Arrays arrays;
 
         CTP_INLINE void closest_hit(const RayContext<Methods>& ray, Hit& hit) const {
-            traverse<Methods>(nodes, ray, hit, [&](const BvhNode& leaf) {
+            const auto entries = [&](const BvhNode& leaf) {
+                // Selected without a branch: it is only an address to fetch from.
+                const void* first = nodes;
+                for_each_type(Primitives<Methods>{}, [&](auto tag) {
+                    using T = typename decltype(tag)::type;
+                    const T* element =
+                        static_cast<const TypedArray<Methods, T>&>(arrays).elements + leaf.first;
+                    first = leaf.type() == index_of<T, Primitives<Methods>> ? element : first;
+                });
+                return first;
+            };
+            traverse<Methods>(nodes, ray, hit, entries, [&](const BvhNode& leaf) {
                 visit_type<Primitives<Methods>>(leaf.type(), [&](auto tag) {
                     using T = typename decltype(tag)::type;
                     static_cast<const TypedArray<Methods, T>&>(arrays).intersect_leaf(leaf, ray, hit);
@@ -43,6 +54,13 @@ struct TypedLeaves {
             : nodes_(in.typed_leaves.nodes, in.typed_leaves.nodes + in.typed_leaves.node_count) {
             // Leaves are rewritten in the order of their references, so each type's array is in leaf order.
             std::vector<std::uint32_t> place(in.typed_leaves.ref_count);
+            std::size_t counts[kPrimitiveTypes] = {};
+            for (std::size_t i = 0; i < in.typed_leaves.ref_count; ++i)
+                ++counts[in.typed_leaves.refs[i].type];
+            for_each_type(Primitives<Methods>{}, [&](auto tag) {
+                using T = typename decltype(tag)::type;
+                std::get<Array<T>>(vectors_).reserve(counts[index_of<T, Primitives<Methods>>]);
+            });
             for (std::size_t i = 0; i < in.typed_leaves.ref_count; ++i) {
                 const PrimitiveRef ref = in.typed_leaves.refs[i];
                 visit_type<Primitives<Methods>>(ref.type, [&](auto tag) {

@@ -58,7 +58,7 @@ struct PaddedBox {
         const float fx = fma(b[3 - r.plane_x], r.ix, r.far_x);
         const float fy = fma(b[5 - r.plane_y], r.iy, r.far_y);
         const float fz = fma(b[7 - r.plane_z], r.iz, r.far_z);
-        near = max(max(nx, ny), max(nz, 0.0f));
+        near = max(max(nx, ny), max(0.0f, nz));
         return near <= min(min(fx, fy), min(fz, tmax));
     }
 };

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/bvh.h"
 #include "kernels/array.h"
+#include "kernels/bvh.h"
 
 namespace ctpbench {
 

@@ -82,8 +82,15 @@ std::vector<Row> Contest::round(std::uint32_t number, std::vector<Entrant>& entr
             const IntersectBuffers io = buffers(batch, hits_);
             const double seconds =
                 seconds_of([&] { entrant.intersector->intersect(backend_, io, entrant.carry_t); });
-            rows.push_back({entrant.cell, "intersect", batch.bounce, number, batch.active, io.count, seconds,
-                            entrant.hashes[b]});
+            const std::uint64_t hash = hits_.hash();
+            if (hash != entrant.hashes[b]) {
+                CellResult& cell = results.cells[entrant.cell];
+                cell.valid = false;
+                cell.reason = "hits changed between two runs on the same rays, at bounce " +
+                              std::to_string(batch.bounce);
+            }
+            rows.push_back(
+                {entrant.cell, "intersect", batch.bounce, number, batch.active, io.count, seconds, hash});
             // A batch stands for all paths that were active at its bounce.
             frame_seconds[e] += seconds * batch.active / io.count;
         }

@@ -65,9 +65,6 @@ public:
         if (device_ == nullptr)
             throw Error(ExitCode::internal, "Embree could not create a device (error " +
                                                 std::to_string(rtcGetDeviceError(nullptr)) + ")");
-        rtcSetDeviceErrorFunction(
-            device_, [](void*, RTCError, const char* text) { throw Error(ExitCode::internal, text); },
-            nullptr);
         rtcSetDeviceMemoryMonitorFunction(
             device_,
             [](void* self, ssize_t bytes, bool) {
@@ -81,12 +78,15 @@ public:
         if (!scene.mesh.triangles.empty()) attach_triangles(scene.mesh);
         if (!scene.spheres.empty()) attach_spheres(scene.spheres);
         rtcCommitScene(scene_);
+        const RTCError error = rtcGetDeviceError(device_);
+        if (error != RTC_ERROR_NONE) {
+            release();
+            throw Error(ExitCode::internal, "Embree could not build its tree (error " +
+                                                std::to_string(error) + "; 4 means out of memory)");
+        }
         build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-    ~EmbreeScene() override {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
+    ~EmbreeScene() override { release(); }
 
     void intersect(CpuBackend& backend, const IntersectBuffers& io, bool) const override {
         backend.for_each(io.count, IntersectOneKernel{scene_, io, first_sphere_});
@@ -94,6 +94,10 @@ public:
     std::size_t bytes() const override { return static_cast<std::size_t>(bytes_.load()); }
 
 private:
+    void release() {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
     void attach_triangles(const Mesh& mesh) {
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
         void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,

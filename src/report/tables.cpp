@@ -52,6 +52,14 @@ Workload without_spheres(Workload w) {
     return w;
 }
 
+// Triangles that the mesh has and that no ray can hit.
+std::string dropped_text(const Results& results, const Workload& column) {
+    for (const SceneResult& s : results.scenes)
+        if (s.name == column.scene && s.dropped_triangles > 0)
+            return " and " + std::to_string(s.dropped_triangles) + " dropped as degenerate";
+    return {};
+}
+
 std::vector<std::uint32_t> sphere_counts(const Results& results) {
     auto counts = distinct<std::uint32_t>(results, [](const CellResult& c) { return c.workload.spheres; });
     std::sort(counts.begin(), counts.end());
@@ -195,8 +203,8 @@ std::string table3_markdown(const Results& results) {
         for (const CellResult& c : results.cells)
             if (any == nullptr && without_spheres(c.workload) == column) any = &c;
         out += "\n## " + column.scene + " (" + any->scene_source + ", " + std::to_string(any->triangles) +
-               " triangles, builder " + column.builder + ", sphere radius " +
-               csv_number(column.sphere_radius) + " of the mean spacing)\n\n";
+               " triangles" + dropped_text(results, column) + ", builder " + column.builder +
+               ", sphere radius " + csv_number(column.sphere_radius) + " of the mean spacing)\n\n";
         out +=
             "| spheres | ctp: paper | ctp | oop: paper | oop | restart: paper | restart | ctp/oop: paper | "
             "ctp/oop | ctp/restart: paper | ctp/restart | ctp/restart_fresh_t | ctp/embree_robust |\n"
