@@ -1,47 +1,60 @@
 # Sourced by scripts/bench, scripts/test and .ci/run: installs what is missing on Debian 12, configures and
-# builds. Elsewhere, or without root, it says what to install.
+# builds. Elsewhere it says what to install.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-# Embree 4 where the distribution has it, else 3.
+# openimageio-tools: the library's CMake package checks that its tools are there. python3 and curl:
+# scripts/fetch_scenes.
 packages=(g++ cmake ninja-build libtbb-dev libcli11-dev nlohmann-json3-dev libtinyobjloader-dev
-          librandom123-dev libxxhash-dev libgtest-dev libopenimageio-dev openimageio-tools)
+          librandom123-dev libxxhash-dev libgtest-dev libopenimageio-dev openimageio-tools python3 curl)
 
-# install_packages NAME...: apt-get, only for what is not there.
+is_installed() {
+  dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'
+}
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+# install_packages NAME...: only what is not there. A name may list alternatives, as in a|b; the first that
+# the distribution has is taken.
 install_packages() {
-  local missing=() name
+  if ! command -v apt-get >/dev/null; then
+    echo "no apt-get here; these packages, or their like, must be there already: $*" >&2
+    return 0
+  fi
+  local missing=() name alternative
   for name in "$@"; do
-    dpkg-query -W -f='${Status}' "$name" 2>/dev/null | grep -q 'install ok installed' || missing+=("$name")
+    for alternative in ${name//|/ }; do
+      ! is_installed "$alternative" || continue 2
+    done
+    missing+=("$name")
   done
   [ ${#missing[@]} -gt 0 ] || return 0
-  if ! command -v apt-get >/dev/null; then
-    echo "needed, but there is no apt-get to install them: ${missing[*]}" >&2
-    return 1
-  fi
-  local as_root=()
-  [ "$(id -u)" = 0 ] || as_root=(sudo)
-  echo "installing: ${missing[*]}" >&2
-  "${as_root[@]}" apt-get update -qq
-  DEBIAN_FRONTEND=noninteractive "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  as_root apt-get update -qq
+  local chosen=()
+  for name in "${missing[@]}"; do
+    for alternative in ${name//|/ }; do
+      if apt-cache show "$alternative" >/dev/null 2>&1; then
+        chosen+=("$alternative")
+        break
+      fi
+    done
+  done
+  echo "installing: ${chosen[*]}" >&2
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${chosen[@]}" >/dev/null
 }
 
 install_prerequisites() {
-  command -v dpkg-query >/dev/null || { echo "not Debian: install the packages of $root/scripts/setup.sh by other means" >&2; return 0; }
-  if dpkg-query -W -f='${Status}' libembree-dev 2>/dev/null | grep -q 'install ok installed' ||
-     ! apt-cache show libembree4-dev >/dev/null 2>&1; then
-    packages+=(libembree-dev)
-  else
-    packages+=(libembree4-dev)
-  fi
-  install_packages "${packages[@]}"
+  install_packages "${packages[@]}" 'libembree4-dev|libembree-dev'
 }
 
 # build PRESET [TARGET...]
 build() {
-  local preset=$1
+  local preset=$1 log
   shift
-  (cd "$root" && cmake --preset "$preset" >"$root/build-$preset.log" 2>&1) ||
-    { cat "$root/build-$preset.log" >&2; return 1; }
-  rm -f "$root/build-$preset.log"
+  log=$(mktemp)
+  (cd "$root" && cmake --preset "$preset" >"$log" 2>&1) || { cat "$log" >&2; rm -f "$log"; return 1; }
+  rm -f "$log"
   cmake --build "$root/build/$preset" ${1:+--target "$@"} >&2
 }

@@ -4,16 +4,20 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <map>
 #include <optional>
 #include <set>
 
 #include "base/interrupt.h"
+#include "kernels/methods/bundles.h"
 #include "measure/contest.h"
+#include "measure/lineup.h"
 #include "oracle/embree.h"
+#include "report/console.h"
+#include "report/figures.h"
 #include "report/meta.h"
 #include "report/progress.h"
 #include "report/rows.h"
+#include "report/summary.h"
 #include "report/tables.h"
 #include "wavefront/forest.h"
 #include "wavefront/paths.h"
@@ -115,18 +119,6 @@ private:
         return scene;
     }
 
-    void record_tree(const Workload& workload, const char* kind, const std::shared_ptr<const Tree>& tree,
-                     std::size_t primitives) {
-        if (!tree) return;
-        TreeResult r;
-        r.workload = workload, r.kind = kind, r.primitives = primitives;
-        r.nodes = tree->node_count(), r.references = tree->refs.size();
-        r.depth = tree->depth, r.sah = tree->sah, r.build_seconds = tree->build_seconds;
-        r.bytes = tree->nodes.size() * sizeof(BvhNode) + tree->refs.size() * sizeof(PrimitiveRef);
-        r.hash = hash(*tree);
-        results_.trees.push_back(r);
-    }
-
     Forest plant(const WorkloadCells& cells, const Scene& scene) {
         std::set<TreeKind> kinds;
         const std::vector<StrategyInfo> strategies = intersect_strategies();
@@ -152,10 +144,13 @@ private:
             });
         if (forest.per_type[0]) triangles_of_ = key, triangles_ = forest.per_type[0];
         const std::size_t triangles = scene.mesh.triangles.size(), spheres = scene.spheres.size();
-        record_tree(cells.workload, "mixed", forest.mixed, triangles + spheres);
-        record_tree(cells.workload, "typed_leaves", forest.typed_leaves, triangles + spheres);
-        record_tree(cells.workload, "triangles", forest.per_type[0], triangles);
-        record_tree(cells.workload, "spheres", forest.per_type[1], spheres);
+        const auto record = [&](const char* kind, const std::shared_ptr<const Tree>& tree, std::size_t n) {
+            if (tree) results_.trees.push_back(describe(cells.workload, kind, *tree, n));
+        };
+        record("mixed", forest.mixed, triangles + spheres);
+        record("typed_leaves", forest.typed_leaves, triangles + spheres);
+        record("triangles", forest.per_type[0], triangles);
+        record("spheres", forest.per_type[1], spheres);
         return forest;
     }
 
@@ -178,36 +173,16 @@ private:
 
         const SceneView view(scene);
         const LayoutInput input = forest.layout_input(view.geometry());
-        // Contenders that differ only in how they are launched share one layout.
-        std::map<std::string, std::unique_ptr<Intersector>> layouts;
-        const auto layout = [&](const std::string& strategy,
-                                const std::string& methods) -> const Intersector* {
-            auto& made = layouts[strategy + "/" + methods];
-            if (made) return made.get();
-            for (const EmbreeContender& e : embree_contenders())
-                if (e.name == strategy) {
-                    progress_.step("building Embree's tree (" + e.name + ")", kTrees);
-                    auto embree = make_embree(scene, e.mode, backend_.threads());
-                    TreeResult tree;
-                    tree.workload = cells.workload, tree.kind = strategy;
-                    tree.primitives = scene.mesh.triangles.size() + scene.spheres.size();
-                    tree.build_seconds = embree->build_seconds(), tree.bytes = embree->bytes();
-                    results_.trees.push_back(tree);
-                    made = std::move(embree);
-                    return made.get();
-                }
-            progress_.step("laying out " + strategy, kOracle);
-            made = make_intersector(strategy, methods, input);
-            return made.get();
-        };
+        Lineup lineup(cells.workload, scene, input, backend_.threads(), results_,
+                      [&](const std::string& what) { progress_.step(what, kOracle); });
         const bool have_embree = !embree_version().empty();
-        const Intersector* oracle = have_embree ? layout(kYardstick, "own") : nullptr;
+        const Intersector* oracle = have_embree ? &lineup.get(kYardstick, own_way) : nullptr;
         stop_if_interrupted();
 
         progress_.step("tracing the reference frame", kOracle);
         std::vector<Batch> batches;
         trace_paths(
-            backend_, view, scene.camera, *layout(config_.reference, "watertight"),
+            backend_, view, scene.camera, lineup.get(config_.reference, Watertight::name),
             {config_.width, config_.height, config_.bounces, config_.seed},
             [&](std::uint32_t bounce, RayColumns rays, const std::uint32_t* index, std::uint32_t active) {
                 stop_if_interrupted();
@@ -230,7 +205,7 @@ private:
             for (const MethodsInfo& m : method_bundles())
                 if (m.name == c.methods) exact = m.exact;
             entrants.push_back({results_.cells.size(),
-                                layout(c.strategy, c.methods),
+                                &lineup.get(c.strategy, c.methods),
                                 c.restart_carries_t,
                                 exact,
                                 !yardstick,

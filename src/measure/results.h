@@ -36,6 +36,9 @@ struct CellResult {
     Verdict verdict;
     std::vector<double> mrays;  // Mrays/s of the frame, by round
     std::uint64_t rays = 0;     // timed in a round
+
+    // For tables: "true", "false", or "unchecked" where there was no oracle to ask.
+    const char* validity() const { return !valid ? "false" : checked ? "true" : "unchecked"; }
 };
 
 // One tree that was built, ours or Embree's.

@@ -48,7 +48,8 @@ void Progress::show(const std::string& what, bool new_line) {
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     const double done = (static_cast<double>(workload_) + share_) / static_cast<double>(workloads_);
     std::string line = "[" + std::to_string(workload_ + 1) + "/" + std::to_string(workloads_) + "] " + name_ +
-                       ": " + what + "  " + duration(elapsed);
+                       ": " + what + "  " + std::to_string(static_cast<int>(100.0 * done)) + " %, " +
+                       duration(elapsed);
     if (done > 0.02) line += ", about " + duration(elapsed / done - elapsed) + " left";
     std::fprintf(stderr, new_line ? "%s\n" : "\r\033[K%s", line.c_str());
     std::fflush(stderr);

@@ -44,9 +44,7 @@ void RowsFile::append(const Results& results, const std::vector<Row>& rows) {
                          timed ? csv_number(row.seconds * 1e3) : "",
                          timed ? csv_number(row.mrays_per_second()) : "",
                          hex(row.hit_hash),
-                         !cell.valid    ? "false"
-                         : cell.checked ? "true"
-                                        : "unchecked",
+                         cell.validity(),
                          cell.checked ? csv_number(cell.verdict.mismatch_rate()) : ""});
     }
     file_.append(lines);

@@ -1,36 +1,19 @@
 #include "report/tables.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "report/csv.h"
+#include "report/figures.h"
 #include "report/paper_figures.h"
 
 namespace ctpbench {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-std::string fixed(double value, int digits) {
-    if (std::isnan(value)) return "n/a";
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
-
-std::string with_interval(const Estimate& e) {
-    return std::isnan(e.median) ? "n/a"
-                                : fixed(e.median, 2) + " [" + fixed(e.lo, 2) + ", " + fixed(e.hi, 2) + "]";
-}
-
-Estimate throughput_of(const CellResult* cell) {
-    if (cell == nullptr || !cell->valid || cell->mrays.empty()) return {kNaN, kNaN, kNaN};
-    return estimate_median(cell->mrays);
-}
 
 // In order of first appearance, without repetition.
 template <class T, class F>
@@ -67,65 +50,6 @@ std::vector<std::uint32_t> sphere_counts(const Results& results) {
 }
 
 }  // namespace
-
-Estimate ratio_of(const CellResult* a, const CellResult* b) {
-    if (a == nullptr || b == nullptr || !a->valid || !b->valid) return {kNaN, kNaN, kNaN};
-    const std::size_t rounds = std::min(a->mrays.size(), b->mrays.size());
-    if (rounds == 0) return {kNaN, kNaN, kNaN};
-    return estimate_paired_ratio({a->mrays.begin(), a->mrays.begin() + static_cast<std::ptrdiff_t>(rounds)},
-                                 {b->mrays.begin(), b->mrays.begin() + static_cast<std::ptrdiff_t>(rounds)});
-}
-
-std::string summary_csv(const Config& config, const Results& results) {
-    std::string out =
-        csv_line({"scene",    "scene_source",   "triangles",          "spheres",      "sphere_radius",
-                  "builder",  "backend",        "strategy",           "kernel",       "rays",
-                  "rounds",   "median_mrays_s", "lo_mrays_s",         "hi_mrays_s",   "ratio_to_reference",
-                  "ratio_lo", "ratio_hi",       "ratio_to_yardstick", "yardstick_lo", "yardstick_hi",
-                  "valid",    "mismatch_rate"});
-    for (const CellResult& c : results.cells) {
-        const Estimate speed = throughput_of(&c);
-        const Estimate ratio = ratio_of(&c, results.find(c.workload, config.reference));
-        const Estimate yardstick = ratio_of(&c, results.find(c.workload, kYardstick));
-        out += csv_line({c.workload.scene,
-                         c.scene_source,
-                         std::to_string(c.triangles),
-                         std::to_string(c.workload.spheres),
-                         csv_number(c.workload.sphere_radius),
-                         c.workload.builder,
-                         c.contender.backend,
-                         c.contender.label(),
-                         "intersect",
-                         std::to_string(c.rays),
-                         std::to_string(c.mrays.size()),
-                         csv_number(speed.median),
-                         csv_number(speed.lo),
-                         csv_number(speed.hi),
-                         csv_number(ratio.median),
-                         csv_number(ratio.lo),
-                         csv_number(ratio.hi),
-                         csv_number(yardstick.median),
-                         csv_number(yardstick.lo),
-                         csv_number(yardstick.hi),
-                         !c.valid    ? "false"
-                         : c.checked ? "true"
-                                     : "unchecked",
-                         c.checked ? csv_number(c.verdict.mismatch_rate()) : ""});
-    }
-    return out;
-}
-
-std::string trees_csv(const Results& results) {
-    std::string out = csv_line({"scene", "spheres", "sphere_radius", "builder", "tree", "primitives", "nodes",
-                                "references", "depth", "sah", "build_seconds", "bytes"});
-    const auto known = [](std::size_t n) { return n == 0 ? std::string() : std::to_string(n); };
-    for (const TreeResult& t : results.trees)
-        out += csv_line({t.workload.scene, std::to_string(t.workload.spheres),
-                         csv_number(t.workload.sphere_radius), t.workload.builder, t.kind,
-                         std::to_string(t.primitives), known(t.nodes), known(t.references), known(t.depth),
-                         t.nodes == 0 ? "" : csv_number(t.sah), csv_number(t.build_seconds), known(t.bytes)});
-    return out;
-}
 
 std::string table2_csv(const Results& results) {
     std::vector<Workload> columns;
@@ -227,48 +151,6 @@ std::string table3_markdown(const Results& results) {
                    with_interval(ratio_of(ctp, of_column(spheres, kYardstick))) + " |\n";
         }
     }
-    return out;
-}
-
-std::string table_text(const Config& config, const Results& results) {
-    std::string out;
-    char line[256];
-    if (!results.trees.empty()) {
-        std::snprintf(line, sizeof line, "%-32s %-14s %10s %10s %6s %8s %9s\n", "scene/spheres", "tree",
-                      "nodes", "references", "depth", "SAH", "build s");
-        out += line;
-        for (const TreeResult& t : results.trees) {
-            std::snprintf(line, sizeof line, "%-32s %-14s %10s %10s %6s %8s %9.2f\n",
-                          t.workload.name().c_str(), t.kind.c_str(),
-                          t.nodes ? std::to_string(t.nodes).c_str() : "-",
-                          t.nodes ? std::to_string(t.references).c_str() : "-",
-                          t.nodes ? std::to_string(t.depth).c_str() : "-",
-                          t.nodes ? fixed(t.sah, 1).c_str() : "-", t.build_seconds);
-            out += line;
-        }
-        out += '\n';
-    }
-    if (results.cells.empty()) return out;
-    std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-20s %s\n", "scene/spheres", "strategy",
-                  "Mrays/s", "95 % interval", ("/ " + config.reference).c_str(),
-                  (std::string("/ ") + kYardstick).c_str(), "hits");
-    out += line;
-    for (const CellResult& c : results.cells) {
-        const Estimate speed = throughput_of(&c);
-        const std::string interval =
-            std::isnan(speed.median) ? "" : fixed(speed.lo, 3) + " .. " + fixed(speed.hi, 3);
-        std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-20s %s\n", c.workload.name().c_str(),
-                      c.contender.label().c_str(), fixed(speed.median, 3).c_str(), interval.c_str(),
-                      with_interval(ratio_of(&c, results.find(c.workload, config.reference))).c_str(),
-                      with_interval(ratio_of(&c, results.find(c.workload, kYardstick))).c_str(),
-                      !c.valid    ? "REJECTED"
-                      : c.checked ? "checked"
-                                  : "unchecked");
-        out += line;
-    }
-    for (const CellResult& c : results.cells)
-        if (!c.valid && !c.reason.empty())
-            out += c.workload.name() + "/" + c.contender.label() + ": rejected: " + c.reason + "\n";
     return out;
 }
 

@@ -83,6 +83,19 @@ TEST_F(Run, KeepsWhatWasMeasuredWhenInterrupted) {
     EXPECT_TRUE(std::filesystem::exists(folder_ / "r/summary.csv"));
 }
 
+TEST_F(Run, DrawsAScene) {
+    const Outcome outcome = run("scene smoke --spheres 20 --width 64 --height 48 --image $D/smoke.png");
+    if (outcome.output.find("without OpenImageIO") != std::string::npos)
+        GTEST_SKIP() << "built without OpenImageIO";
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("20 spheres"), std::string::npos) << outcome.output;
+    // A picture with something in it does not compress to nothing.
+    EXPECT_GT(std::filesystem::file_size(folder_ / "smoke.png"), 2000u);
+    const Outcome refused = run("scene smoke --width 8 --height 8 --image $D/no/such/folder.png");
+    EXPECT_EQ(refused.exit_code, 8) << refused.output;
+    EXPECT_NE(refused.output.find("folder.png"), std::string::npos) << refused.output;
+}
+
 TEST_F(Run, DryRunListAndVersionMeasureNothing) {
     const Outcome dry = run(std::string("--dry-run") + kSmall);
     EXPECT_EQ(dry.exit_code, 0) << dry.output;

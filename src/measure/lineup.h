@@ -1,0 +1,47 @@
+// The contenders of one workload, laid out on demand. Those that differ only in how they are launched share
+// one layout.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "measure/results.h"
+#include "wavefront/forest.h"
+#include "wavefront/intersector.h"
+
+namespace ctpbench {
+
+// What trees.csv says of one of our trees.
+TreeResult describe(const Workload& workload, const std::string& kind, const Tree& tree,
+                    std::size_t primitives);
+
+class Lineup {
+public:
+    // All of these must outlive the lineup. `step` is told what is being made; trees of Embree's are added to
+    // the results.
+    Lineup(const Workload& workload, const Scene& scene, const LayoutInput& input, int threads,
+           Results& results, std::function<void(const std::string&)> step)
+        : workload_(workload),
+          scene_(scene),
+          input_(input),
+          threads_(threads),
+          results_(results),
+          step_(std::move(step)) {}
+
+    const Intersector& get(const std::string& strategy, const std::string& methods);
+
+private:
+    std::unique_ptr<Intersector> make(const std::string& strategy, const std::string& methods);
+
+    const Workload& workload_;
+    const Scene& scene_;
+    const LayoutInput& input_;
+    int threads_;
+    Results& results_;
+    std::function<void(const std::string&)> step_;
+    std::map<std::string, std::unique_ptr<Intersector>> made_;
+};
+
+}  // namespace ctpbench

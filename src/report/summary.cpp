@@ -1,0 +1,57 @@
+#include "report/summary.h"
+
+#include "report/csv.h"
+#include "report/figures.h"
+
+namespace ctpbench {
+
+std::string summary_csv(const Config& config, const Results& results) {
+    std::string out =
+        csv_line({"scene",    "scene_source",   "triangles",          "spheres",      "sphere_radius",
+                  "builder",  "backend",        "strategy",           "kernel",       "rays",
+                  "rounds",   "median_mrays_s", "lo_mrays_s",         "hi_mrays_s",   "ratio_to_reference",
+                  "ratio_lo", "ratio_hi",       "ratio_to_yardstick", "yardstick_lo", "yardstick_hi",
+                  "valid",    "mismatch_rate"});
+    for (const CellResult& c : results.cells) {
+        const Estimate speed = throughput_of(&c);
+        const Estimate ratio = ratio_of(&c, results.find(c.workload, config.reference));
+        const Estimate yardstick = ratio_of(&c, results.find(c.workload, kYardstick));
+        out += csv_line({c.workload.scene,
+                         c.scene_source,
+                         std::to_string(c.triangles),
+                         std::to_string(c.workload.spheres),
+                         csv_number(c.workload.sphere_radius),
+                         c.workload.builder,
+                         c.contender.backend,
+                         c.contender.label(),
+                         "intersect",
+                         std::to_string(c.rays),
+                         std::to_string(c.mrays.size()),
+                         csv_number(speed.median),
+                         csv_number(speed.lo),
+                         csv_number(speed.hi),
+                         csv_number(ratio.median),
+                         csv_number(ratio.lo),
+                         csv_number(ratio.hi),
+                         csv_number(yardstick.median),
+                         csv_number(yardstick.lo),
+                         csv_number(yardstick.hi),
+                         c.validity(),
+                         c.checked ? csv_number(c.verdict.mismatch_rate()) : ""});
+    }
+    return out;
+}
+
+std::string trees_csv(const Results& results) {
+    std::string out = csv_line({"scene", "spheres", "sphere_radius", "builder", "tree", "primitives", "nodes",
+                                "references", "depth", "sah", "build_seconds", "bytes"});
+    const auto known = [](std::size_t n) { return n == 0 ? std::string() : std::to_string(n); };
+    for (const TreeResult& t : results.trees)
+        out += csv_line({t.workload.scene, std::to_string(t.workload.spheres),
+                         csv_number(t.workload.sphere_radius), t.workload.builder, t.kind,
+                         std::to_string(t.primitives), known(t.nodes), known(t.references), known(t.depth),
+                         t.nodes == 0 ? "" : csv_number(t.sah), csv_number(t.build_seconds), known(t.bytes)});
+    return out;
+}
+
+}  // namespace ctpbench

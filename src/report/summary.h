@@ -1,0 +1,17 @@
+// Machine-readable summaries of a run.
+#pragma once
+
+#include <string>
+
+#include "config/config.h"
+#include "measure/results.h"
+
+namespace ctpbench {
+
+// One line per cell: median throughput with its interval, ratios to the reference and to the yardstick.
+std::string summary_csv(const Config& config, const Results& results);
+
+// One line per tree.
+std::string trees_csv(const Results& results);
+
+}  // namespace ctpbench

@@ -1,0 +1,127 @@
+// A contender with wrong hits must never be timed into a table.
+#include "measure/contest.h"
+
+#include <gtest/gtest.h>
+
+#include "oracle/embree.h"
+#include "support.h"
+#include "wavefront/forest.h"
+#include "wavefront/paths.h"
+
+namespace ctpbench {
+namespace {
+
+// Traces like the contender it wraps, then spoils some of the hits.
+class Broken final : public Intersector {
+public:
+    Broken(const Intersector& sound, std::uint32_t every, bool sometimes = false)
+        : sound_(sound), every_(every), sometimes_(sometimes) {}
+    void intersect(CpuBackend& backend, const IntersectBuffers& io, bool carry_t) const override {
+        sound_.intersect(backend, io, carry_t);
+        if (sometimes_ && ++calls_ <= 1) return;
+        for (std::uint32_t i = 0; i < io.count; i += every_)
+            io.hits.store(i, {test::kInfinity, kNoPrimitive, 0, 0});
+    }
+    std::size_t bytes() const override { return 0; }
+
+private:
+    const Intersector& sound_;
+    std::uint32_t every_;
+    bool sometimes_;
+    mutable int calls_ = 0;
+};
+
+class ContestTest : public testing::Test {
+protected:
+    ContestTest() : scene_(test::soup(3000, 100, 6)), view_(scene_), backend_(2) {
+        forest_ = build_forest(backend_, scene_, {TreeKind::mixed, TreeKind::per_type},
+                               SbvhSettings::quality(), nullptr, [](const std::string&, double) {});
+        ctp_ = make_intersector("ctp", "watertight", forest_.layout_input(view_.geometry()));
+        restart_ = make_intersector("restart", "watertight", forest_.layout_input(view_.geometry()));
+        if (!embree_version().empty()) oracle_ = make_embree(scene_, EmbreeMode::robust, 2);
+        Camera camera;
+        camera.eye = {0, 0, 2};
+        trace_paths(
+            backend_, view_, camera, *ctp_, {64, 64, 1, 1},
+            [&](std::uint32_t bounce, RayColumns rays, const std::uint32_t* index, std::uint32_t active) {
+                batches_.push_back(record_batch(bounce, rays, index, active, 2000));
+            });
+    }
+    CellResult verdict_on(const Intersector& intersector, bool exact = true) {
+        Contest contest(backend_, view_.geometry(), batches_, oracle_.get(), 0);
+        CellResult first, cell;
+        Entrant reference{0, ctp_.get(), true, true, true, {}};
+        contest.verify(reference, first);
+        EXPECT_TRUE(first.valid) << first.reason;
+        Entrant entrant{0, &intersector, true, exact, true, {}};
+        const std::vector<Row> rows = contest.verify(entrant, cell);
+        EXPECT_EQ(rows.size(), batches_.size());
+        EXPECT_EQ(rows[0].hit_hash, entrant.hashes[0]);
+        return cell;
+    }
+
+    Scene scene_;
+    SceneView view_;
+    CpuBackend backend_;
+    Forest forest_;
+    std::unique_ptr<Intersector> ctp_, restart_;
+    std::unique_ptr<EmbreeIntersector> oracle_;
+    std::vector<Batch> batches_;
+};
+
+TEST_F(ContestTest, AcceptsSoundContenders) {
+    const CellResult cell = verdict_on(*restart_);
+    EXPECT_TRUE(cell.valid) << cell.reason;
+    if (oracle_) {
+        EXPECT_EQ(cell.verdict.faults(), 0u) << cell.verdict.text();
+    }
+}
+
+TEST_F(ContestTest, RejectsHitsThatDifferFromTheReference) {
+    const CellResult cell = verdict_on(Broken(*ctp_, 1999));
+    EXPECT_FALSE(cell.valid);
+    EXPECT_NE(cell.reason.find("differ"), std::string::npos);
+}
+
+TEST_F(ContestTest, TheOracleRejectsWhatItKnowsToBeWrong) {
+    if (!oracle_) GTEST_SKIP() << "built without Embree";
+    const CellResult cell = verdict_on(Broken(*ctp_, 50), false);
+    EXPECT_FALSE(cell.valid);
+    EXPECT_GT(cell.verdict.missed, 0u) << cell.verdict.text();
+}
+
+TEST_F(ContestTest, NoticesHitsThatChangeBetweenRuns) {
+    Contest contest(backend_, view_.geometry(), batches_, oracle_.get(), 0);
+    const Broken broken(*ctp_, 50, true);
+    Results results;
+    results.cells.resize(2);
+    std::vector<Entrant> entrants{{0, ctp_.get(), true, true, true, {}},
+                                  {1, &broken, true, false, false, {}}};
+    for (Entrant& e : entrants) contest.verify(e, results.cells[e.cell]);
+    results.cells[1].valid = true;
+    contest.round(0, entrants, results, [] { return false; });
+    EXPECT_TRUE(results.cells[0].valid);
+    EXPECT_FALSE(results.cells[1].valid);
+}
+
+TEST_F(ContestTest, ARoundTimesEveryEntrantOnEveryBatch) {
+    Contest contest(backend_, view_.geometry(), batches_, oracle_.get(), 0);
+    Results results;
+    results.cells.resize(2);
+    std::vector<Entrant> entrants{{0, ctp_.get(), true, true, true, {}},
+                                  {1, restart_.get(), true, true, true, {}}};
+    for (Entrant& e : entrants) contest.verify(e, results.cells[e.cell]);
+    for (std::uint32_t round = 0; round < 3; ++round) {
+        const std::vector<Row> rows = contest.round(round, entrants, results, [] { return false; });
+        EXPECT_EQ(rows.size(), 2 * batches_.size());
+        for (const Row& row : rows) EXPECT_GT(row.seconds, 0.0);
+    }
+    EXPECT_EQ(results.cells[0].mrays.size(), 3u);
+    EXPECT_EQ(results.cells[1].mrays.size(), 3u);
+    EXPECT_TRUE(contest.round(3, entrants, results, [] { return true; }).empty())
+        << "a round cut short leaves nothing";
+    EXPECT_EQ(results.cells[0].mrays.size(), 3u);
+}
+
+}  // namespace
+}  // namespace ctpbench
