@@ -1,11 +1,11 @@
 // Slab test that never misses a primitive's hit, for use with methods/triangle_watertight.h.
 //
-// Every slab is widened by 2^-20 (max |o| + extent), extent being the scene's largest |coordinate|. That
-// covers three errors, each at most a quarter of it: this test's own rounding (compare Ize, "Robust BVH
-// Ray Traversal", JCGT 2(2), 2013), the lateral distance between the ray and the point that a
-// primitive's test reports, and the rounding of its t. A node that holds the reported point is therefore
-// entered at or before t, so two trees over the same primitives keep the same closest hit. The padding
-// is per ray, which makes the test cost one fused multiply-add per plane, like the plain one.
+// Every slab is widened by 2^-19 (max |o| + extent), extent being the scene's largest |coordinate|. That
+// covers three errors, together at most three quarters of it: this test's own rounding (compare Ize, "Robust
+// BVH Ray Traversal", JCGT 2(2), 2013), the lateral distance between the ray and the point that a primitive's
+// test reports, and the rounding of its t. A node that holds the reported point is therefore entered at or
+// before t, so two trees over the same primitives keep the same closest hit. The padding is per ray, which
+// makes the test cost one fused multiply-add per plane, like the plain one.
 #pragma once
 
 #include "../bvh.h"
@@ -31,7 +31,7 @@ struct PaddedBox {
     CTP_INLINE static RaySetup setup(const Ray& ray, float extent) {
         const Vec3 o = ray.origin, d = ray.direction;
         const float largest = max(max(absolute(d.x), absolute(d.y)), absolute(d.z));
-        const float pad = 0x1p-20f * (max(max(absolute(o.x), absolute(o.y)), absolute(o.z)) + extent);
+        const float pad = 0x1p-19f * (max(max(absolute(o.x), absolute(o.y)), absolute(o.z)) + extent);
         const Vec3 inv = {reciprocal(d.x, largest), reciprocal(d.y, largest), reciprocal(d.z, largest)};
         const Vec3 oi = o * inv;
         const Vec3 p = {pad * absolute(inv.x), pad * absolute(inv.y), pad * absolute(inv.z)};

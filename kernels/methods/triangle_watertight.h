@@ -2,9 +2,9 @@
 // evaluated as Kahan's difference of products. Their signs are then exact for the sheared vertices, so
 // that the paper's float64 fallback is not needed.
 //
-// The point U A + V B + W C that t stands for lies on the triangle and within a few ulps of the largest
-// coordinate of the ray, whatever the angle between them. The box test's padding covers that distance:
-// together they make hits independent of the tree (methods/box_padded.h).
+// The point U A + V B + W C lies on the triangle and within a few ulps of the largest coordinate of the ray,
+// whatever the angle between them, and the reported t is as near to it. The box test's padding covers that
+// distance: together they make hits independent of the tree (methods/box_padded.h).
 #pragma once
 
 #include "../primitives/shapes.h"
@@ -43,6 +43,24 @@ struct WatertightTriangle {
         return {kx, ky, kz, o[kx], o[ky], o[kz], d[kx] * r, d[ky] * r, r};
     }
 
+    // t from the triangle's plane, kept within [lo, hi]. The t of the barycentric weights is bounded at any
+    // angle, but by the size of the triangle: on a large floor it exceeds the offset of a secondary ray's
+    // origin, and its sign would say that the ray hits the floor it just left. The plane's t does not lose
+    // the small distance to a plane along an axis, but is unbounded at grazing angles; so it decides where
+    // the sign is in doubt, and only within that doubt.
+    CTP_INLINE static float refined_t(const Shape& s, const RaySetup& r, float lo, float hi) {
+        const float e1x = s.vertex[1][r.kx] - s.vertex[0][r.kx], e2x = s.vertex[2][r.kx] - s.vertex[0][r.kx];
+        const float e1y = s.vertex[1][r.ky] - s.vertex[0][r.ky], e2y = s.vertex[2][r.ky] - s.vertex[0][r.ky];
+        const float e1z = s.vertex[1][r.kz] - s.vertex[0][r.kz], e2z = s.vertex[2][r.kz] - s.vertex[0][r.kz];
+        const float nx = difference_of_products(e1y, e2z, e1z, e2y);
+        const float ny = difference_of_products(e1z, e2x, e1x, e2z);
+        const float nz = difference_of_products(e1x, e2y, e1y, e2x);
+        const float distance = fma(nx, s.vertex[0][r.kx] - r.ox,
+                                   fma(ny, s.vertex[0][r.ky] - r.oy, nz * (s.vertex[0][r.kz] - r.oz)));
+        const float slope = fma(nx, r.sx, fma(ny, r.sy, nz));
+        return min(max(distance * r.sz / slope, lo), hi);
+    }
+
     CTP_INLINE static void intersect(const Shape& s, std::uint32_t id, const RaySetup& r, Hit& hit) {
         const float az = s.vertex[0][r.kz] - r.oz;
         const float bz = s.vertex[1][r.kz] - r.oz;
@@ -60,7 +78,9 @@ struct WatertightTriangle {
         const float det = (u + v) + w;
         if (det == 0.0f) return;
         const float inv = 1.0f / det;
-        const float t = fma(u, az, fma(v, bz, w * cz)) * (r.sz * inv);
+        float t = fma(u, az, fma(v, bz, w * cz)) * (r.sz * inv);
+        const float error = 0x1p-21f * max(max(absolute(az), absolute(bz)), absolute(cz)) * absolute(r.sz);
+        if (absolute(t) <= error) t = refined_t(s, r, t - error, t + error);
         if (hit.accepts(t, id)) hit = {t, id, v * inv, w * inv};
     }
 };

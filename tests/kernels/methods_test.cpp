@@ -160,6 +160,33 @@ TEST(PaddedBox, StillCulls) {
     EXPECT_TRUE(hits({0, 1.5f, 1.5f}, {1, 0, 0}, kInfinity));
 }
 
+// The floor of a conference room: thousands of units wide, a unit and a half below the origin. The offset of
+// an origin on it is a few 1e-5, less than the rounding of anything that is as large as the floor.
+TEST(WatertightTriangle, RaysThatLeaveALargeFloorDoNotHitIt) {
+    Random random(12);
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 corners[3] = {{-946.888f, -1.57216f, 668.489f},
+                           {1653.25f, -1.57216f, 668.489f},
+                           {1653.25f, -1.57216f, -1016.1f}};
+        for (Vec3& c : corners) std::swap(c.y, c[axis]);
+        const TriangleShape s = {corners[0], corners[1], corners[2]};
+        Vec3 normal = {0, 0, 0};
+        normal[axis] = 1.0f;
+        int returned = 0;
+        for (int i = 0; i < 50000; ++i) {
+            const float u = random.uniform(0, 1), v = random.uniform(0, 1) * (1.0f - u);
+            Vec3 d = random.direction();
+            d[axis] = std::fabs(d[axis]);
+            const Ray ray = {offset_origin(s.a + (u * (s.b - s.a) + v * (s.c - s.a)), normal), d, kInfinity};
+            Hit hit = no_hit(ray);
+            WatertightTriangle::intersect(WatertightTriangle::shape(s), 0, WatertightTriangle::setup(ray),
+                                          hit);
+            returned += hit.primitive == 0;
+        }
+        EXPECT_EQ(returned, 0) << "normal along axis " << axis;
+    }
+}
+
 TEST(OffsetOrigin, LeavesAConvexBallForGood) {
     Random random(4);
     for (float scale : {1.0f, 1e3f}) {
