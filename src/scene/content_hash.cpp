@@ -12,7 +12,7 @@ std::uint64_t content_hash(const Scene& scene) {
     hash = hash_vector(scene.spheres, hash);
     for (const Material& material : scene.materials) {
         hash = hash_bytes(material.name.data(), material.name.size(), hash);
-        hash = hash_bytes(&material.diffuse, sizeof(material.diffuse), hash);
+        hash = hash_bytes(&material.look, sizeof(material.look), hash);
     }
     return hash_bytes(&scene.sphere_material, sizeof(scene.sphere_material), hash);
 }

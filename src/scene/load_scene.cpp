@@ -126,7 +126,7 @@ void apply_overrides(Scene& scene, const SceneFile& file) {
             throw Error(ExitCode::usage,
                         error_line(change.place, unknown_name("material", change.material, names)));
         }
-        found->diffuse = change.diffuse;
+        found->look.diffuse = change.diffuse;
     }
 }
 

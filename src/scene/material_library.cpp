@@ -72,7 +72,7 @@ std::vector<Material> read_materials(const ObjMesh& mesh, const fs::path& obj_pa
             const tinyobj::real_t* diffuse =
                 library.materials[static_cast<std::size_t>(found->second)].diffuse;
             for (int channel = 0; channel < 3; ++channel)
-                material.diffuse[channel] = clamp_to_unit(diffuse[channel]);
+                material.look.diffuse[channel] = clamp_to_unit(diffuse[channel]);
         } else if (!used.name.empty()) {
             unknown.push_back(&used);
         }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernels/box.h"
+#include "kernels/materials/description.h"
 #include "kernels/primitives/shapes.h"
 #include "kernels/vec.h"
 
@@ -15,7 +16,7 @@ namespace ctpbench {
 
 struct Material {
     std::string name;
-    Vec3 diffuse{0.5f, 0.5f, 0.5f};  // albedo, linear RGB
+    MaterialDescription look;
 };
 
 // Vertices are shared; `material[i]` belongs to `triangles[i]`.
@@ -23,6 +24,8 @@ struct Mesh {
     std::vector<Vec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::uint32_t> material;
+    // Of each triangle's vertices, in OBJ's sense (v = 0 at the bottom); empty if no material is textured.
+    std::vector<std::array<Vec2, 3>> texcoords;
 
     TriangleShape triangle(std::size_t i) const {
         const auto& t = triangles[i];
@@ -47,7 +50,10 @@ struct Scene {
     std::vector<SphereShape> spheres;
     std::vector<Material> materials;  // never empty
     std::uint32_t sphere_material = 0;
+    std::vector<Texel> texels;       // of all textures
+    Vec3 ambient{1.0f, 1.0f, 1.0f};  // radiance that arrives from outside, from every direction
     Camera camera;
+    float exposure = 1.0f;              // by which pictures for the eye are multiplied
     std::size_t dropped_triangles = 0;  // NaN, infinite or absurdly large vertices; zero area
     std::uint64_t content_hash = 0;     // of triangles, materials and spheres
 };

@@ -27,7 +27,7 @@ SceneView::SceneView(const Scene& scene)
                 largest_coordinate(scene_bounds(scene))},
       material_(scene.mesh.material.data()),
       sphere_material_(scene.sphere_material) {
-    for (const Material& m : scene.materials) albedo_.push_back(m.diffuse);
+    for (const Material& m : scene.materials) albedo_.push_back(m.look.diffuse);
 }
 
 void trace_paths(CpuBackend& backend, const SceneView& scene, const Camera& camera,

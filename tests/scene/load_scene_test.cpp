@@ -39,7 +39,7 @@ TEST_F(LoadScene, ReadsTheMesh) {
     EXPECT_EQ(scene.source, SceneSource::mesh);
     EXPECT_EQ(scene.mesh.triangles.size(), 2u);
     ASSERT_EQ(scene.materials.size(), 1u);
-    EXPECT_EQ(scene.materials[0].diffuse, (Vec3{1, 0, 0}));
+    EXPECT_EQ(scene.materials[0].look.diffuse, (Vec3{1, 0, 0}));
     EXPECT_EQ(scene.camera.eye, (Vec3{1, 2, 3}));
     EXPECT_TRUE(scene.spheres.empty());
     EXPECT_NE(scene.content_hash, 0u);
@@ -169,7 +169,7 @@ TEST_F(LoadScene, CountsDroppedTriangles) {
 TEST_F(LoadScene, OverridesMaterials) {
     write("one/a.json", scene_text(R"("mesh": {"file": "a/a.obj"},
         "overrides": {"materials": {"red": {"diffuse": [0, 1, 0]}}})"));
-    EXPECT_EQ(load().materials[0].diffuse, (Vec3{0, 1, 0}));
+    EXPECT_EQ(load().materials[0].look.diffuse, (Vec3{0, 1, 0}));
     write("one/a.json", scene_text(R"("mesh": {"file": "a/a.obj"},
         "overrides": {"materials": {"rad": {"diffuse": [0, 1, 0]}}})"));
     EXPECT_ERROR(load(), ExitCode::usage,
@@ -184,7 +184,7 @@ TEST_F(LoadScene, ScattersSpheres) {
     EXPECT_NEAR(scene.spheres[0].radius, 0.5 * std::cbrt(8.0 / 3.0), 1e-6);
     EXPECT_EQ(scene.sphere_material, 1u);
     EXPECT_EQ(scene.materials[1].name, "spheres");
-    EXPECT_EQ(scene.materials[1].diffuse, (Vec3{0.8f, 0.8f, 0.8f}));
+    EXPECT_EQ(scene.materials[1].look.diffuse, (Vec3{0.8f, 0.8f, 0.8f}));
 
     request.spheres = 1000;
     request.sphere_radius = 0.1f;

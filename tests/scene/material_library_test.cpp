@@ -18,19 +18,19 @@ TEST_F(MaterialLibrary, ReadsDiffuseColoursClamped) {
     const auto materials = read_for("mtllib sub/a.mtl\n");
     ASSERT_EQ(materials.size(), 1u);
     EXPECT_EQ(materials[0].name, "red");
-    EXPECT_EQ(materials[0].diffuse, (Vec3{1, 0.25f, 0}));
+    EXPECT_EQ(materials[0].look.diffuse, (Vec3{1, 0.25f, 0}));
     EXPECT_TRUE(notices.empty());
 }
 
 TEST_F(MaterialLibrary, ReadsEveryLibraryOfALine) {
     write("a.mtl", "newmtl other\nKd 0 0 0\n");
     write("b.mtl", "newmtl red\nKd 1 0 0\n");
-    EXPECT_EQ(read_for("mtllib a.mtl b.mtl\n")[0].diffuse, (Vec3{1, 0, 0}));
+    EXPECT_EQ(read_for("mtllib a.mtl b.mtl\n")[0].look.diffuse, (Vec3{1, 0, 0}));
 }
 
 TEST_F(MaterialLibrary, NoticesAMissingLibrary) {
     const auto materials = read_for("mtllib gone.mtl\n");
-    EXPECT_EQ(materials[0].diffuse, Material{}.diffuse);
+    EXPECT_EQ(materials[0].look.diffuse, Material{}.look.diffuse);
     EXPECT_TRUE(has_notice(notices, "a.obj:1: material library \"gone.mtl\" cannot be read"));
     EXPECT_TRUE(has_notice(
         notices, "a.obj:5: 1 of its materials are in no MTL file and get the default grey: \"red\""));
@@ -38,7 +38,7 @@ TEST_F(MaterialLibrary, NoticesAMissingLibrary) {
 
 TEST_F(MaterialLibrary, NoticesAnUnknownMaterial) {
     write("a.mtl", "newmtl blue\nKd 0 0 1\n");
-    EXPECT_EQ(read_for("mtllib a.mtl\n")[0].diffuse, Material{}.diffuse);
+    EXPECT_EQ(read_for("mtllib a.mtl\n")[0].look.diffuse, Material{}.look.diffuse);
     EXPECT_EQ(notices.size(), 1u);
     EXPECT_TRUE(has_notice(notices, "\"red\""));
 }

@@ -112,8 +112,8 @@ TEST_P(Recipes, MaterialsAreNamedAlbedos) {
         EXPECT_FALSE(m.name.empty());
         EXPECT_TRUE(names.insert(m.name).second) << m.name << " occurs twice";
         for (int c = 0; c < 3; ++c) {
-            EXPECT_GT(m.diffuse[c], 0.0f) << m.name;
-            EXPECT_LT(m.diffuse[c], 1.0f) << m.name;
+            EXPECT_GT(m.look.diffuse[c], 0.0f) << m.name;
+            EXPECT_LT(m.look.diffuse[c], 1.0f) << m.name;
         }
     }
 }

@@ -41,7 +41,7 @@ TEST(ContentHash, ShowsEveryChangeOfContent) {
     expect_changed([](Scene& s) { s.mesh.triangles[0] = {1, 2, 0}; });
     expect_changed([](Scene& s) { s.mesh.material[0] = 1; });
     expect_changed([](Scene& s) { s.spheres.push_back({{0, 0, 0}, 1}); });
-    expect_changed([](Scene& s) { s.materials[0].diffuse.y = 0.6f; });
+    expect_changed([](Scene& s) { s.materials[0].look.diffuse.y = 0.6f; });
     expect_changed([](Scene& s) { s.materials[0].name = "gray"; });
     expect_changed([](Scene& s) { s.materials.push_back({}); });
 }
