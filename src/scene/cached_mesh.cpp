@@ -18,23 +18,26 @@ namespace {
 namespace fs = std::filesystem;
 
 // To be raised whenever parse_obj() makes something else of the same file, or the layout below changes.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint64_t kMagic =
     0x4853454d50544300u + kVersion;  // the version and "CTPMESH", in little-endian order
 
 struct Header {
     std::uint64_t magic = kMagic;
     MeshKey key;
-    std::uint64_t positions = 0, triangles = 0, names_bytes = 0;  // sizes of what follows
+    std::uint64_t positions = 0, triangles = 0, texcoords = 0, names_bytes = 0;  // sizes of what follows
     DroppedTriangles dropped;
-    std::uint64_t checksum = 0;  // of `dropped` and what follows
+    BadTexcoords bad_texcoords;
+    std::uint64_t checksum = 0;  // of the two before it and what follows
 };
 
 std::uint64_t checksum(const ObjMesh& mesh, const std::string& names) {
     std::uint64_t hash = hash_bytes(&mesh.dropped, sizeof(mesh.dropped));
+    hash = hash_bytes(&mesh.bad_texcoords, sizeof(mesh.bad_texcoords), hash);
     hash = hash_vector(mesh.mesh.positions, hash);
     hash = hash_vector(mesh.mesh.triangles, hash);
     hash = hash_vector(mesh.mesh.material, hash);
+    hash = hash_vector(mesh.mesh.texcoords, hash);
     return hash_bytes(names.data(), names.size(), hash);
 }
 
@@ -80,6 +83,7 @@ void put(std::ofstream& file, const std::vector<T>& elements) {
 bool sizes_match(const Header& header, std::size_t bytes) {
     const double expected = static_cast<double>(header.positions) * sizeof(Vec3) +
                             static_cast<double>(header.triangles) * 4 * sizeof(std::uint32_t) +
+                            static_cast<double>(header.texcoords) * 3 * sizeof(Vec2) +
                             static_cast<double>(header.names_bytes);
     return expected == static_cast<double>(bytes);
 }
@@ -110,9 +114,11 @@ std::optional<ObjMesh> read_cached_mesh(const fs::path& path, const MeshKey& key
 
     ObjMesh mesh;
     mesh.dropped = header.dropped;
+    mesh.bad_texcoords = header.bad_texcoords;
     take(bytes, mesh.mesh.positions, header.positions);
     take(bytes, mesh.mesh.triangles, header.triangles);
     take(bytes, mesh.mesh.material, header.triangles);
+    take(bytes, mesh.mesh.texcoords, header.texcoords);
     const std::string names(bytes);
     if (checksum(mesh, names) != header.checksum) return std::nullopt;
     read_names(names, mesh);
@@ -125,8 +131,10 @@ void write_cached_mesh(const fs::path& path, const MeshKey& key, const ObjMesh& 
     header.key = key;
     header.positions = mesh.mesh.positions.size();
     header.triangles = mesh.mesh.triangles.size();
+    header.texcoords = mesh.mesh.texcoords.size();
     header.names_bytes = names.size();
     header.dropped = mesh.dropped;
+    header.bad_texcoords = mesh.bad_texcoords;
     header.checksum = checksum(mesh, names);
 
     fs::create_directories(path.parent_path());
@@ -138,6 +146,7 @@ void write_cached_mesh(const fs::path& path, const MeshKey& key, const ObjMesh& 
         put(file, mesh.mesh.positions);
         put(file, mesh.mesh.triangles);
         put(file, mesh.mesh.material);
+        put(file, mesh.mesh.texcoords);
         file << names;
         file.close();
         if (!file) fail();

@@ -17,7 +17,7 @@ struct MeshKey {
     std::uint64_t low = 0;
 
     static MeshKey of(std::string_view obj_bytes);
-    // `0123...cdef-v1.mesh`: the format is part of the name, so that versions do not replace each other's
+    // `0123...cdef-v2.mesh`: the format is part of the name, so that versions do not replace each other's
     // files.
     std::string file_name() const;
     bool operator==(const MeshKey&) const = default;

@@ -7,8 +7,8 @@
 
 namespace ctpbench {
 
-// Of the triangles, materials and spheres, bit for bit and in order. The name, the source and the camera do
-// not count: the same geometry seen from elsewhere is the same content.
+// Of the triangles, spheres, materials, textures and the light from outside, bit for bit and in order. The
+// name, the source, the camera and the exposure do not count: the same content seen from elsewhere.
 std::uint64_t content_hash(const Scene& scene);
 
 }  // namespace ctpbench

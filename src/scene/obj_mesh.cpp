@@ -61,6 +61,9 @@ public:
         callbacks.vertex_cb = [](void* self, float, float, float, float) {
             static_cast<ObjParser*>(self)->add_vertex();
         };
+        callbacks.texcoord_cb = [](void* self, float, float, float) {
+            static_cast<ObjParser*>(self)->add_texcoord();
+        };
         callbacks.index_cb = [](void* self, tinyobj::index_t* indices, int count) {
             static_cast<ObjParser*>(self)->add_face({indices, static_cast<std::size_t>(count)});
         };
@@ -70,6 +73,7 @@ public:
         std::istream stream(&text_);
         LibraryNames libraries(text_, out_.libraries);
         tinyobj::LoadObjWithCallback(stream, callbacks, this, &libraries);
+        if (!out_.mesh.texcoords.empty()) out_.mesh.texcoords.resize(out_.mesh.triangles.size());
         return std::move(out_);
     }
 
@@ -87,32 +91,59 @@ private:
         out_.mesh.positions.push_back(*vertex);
     }
 
-    // OBJ counts vertices from 1, or backwards from the latest one as -1; 0 also stands for "no number".
-    std::uint32_t resolve(int index) {
-        const auto known = static_cast<std::int64_t>(out_.mesh.positions.size());
-        const std::int64_t vertex = index > 0 ? index - std::int64_t{1} : known + index;
-        if (index == 0) fail("a face's vertex index is 0 or no number; indices count from 1");
-        if (vertex < 0 || vertex >= known) {
-            fail("a face uses vertex " + std::to_string(index) + ", but " + std::to_string(known) +
-                 " vertices are defined above it");
+    void add_texcoord() {
+        std::optional<Vec2> uv = parse_texcoord(text_.line());
+        if (!uv || !usable({uv->x, uv->y, 0.0f})) {
+            BadTexcoords& bad = out_.bad_texcoords;
+            if (bad.count++ == 0) bad.first_line = text_.line_number();
+            uv = Vec2{0.0f, 0.0f};
         }
-        return static_cast<std::uint32_t>(vertex);
+        if (texcoords_.size() == std::numeric_limits<std::int32_t>::max())
+            fail("too many texture coordinates");
+        texcoords_.push_back(*uv);
+    }
+
+    // OBJ counts from 1, or backwards from the latest element as -1.
+    std::uint32_t resolve(int index, std::size_t defined, const char* one, const char* many) {
+        const auto known = static_cast<std::int64_t>(defined);
+        const std::int64_t at = index > 0 ? index - std::int64_t{1} : known + index;
+        if (at < 0 || at >= known) {
+            fail(std::string("a face uses ") + one + " " + std::to_string(index) + ", but " +
+                 std::to_string(known) + " " + many + " are defined above it");
+        }
+        return static_cast<std::uint32_t>(at);
+    }
+
+    void add_corner(const tinyobj::index_t& index) {
+        if (index.vertex_index == 0) fail("a face's vertex index is 0 or no number; indices count from 1");
+        corners_.push_back(resolve(index.vertex_index, out_.mesh.positions.size(), "vertex", "vertices"));
+        Vec2 uv{0.0f, 0.0f};
+        if (index.texcoord_index != 0) {  // 0: none
+            uv = texcoords_[resolve(index.texcoord_index, texcoords_.size(), "texture coordinate",
+                                    "texture coordinates")];
+            textured_ = true;
+        }
+        uvs_.push_back(uv);
     }
 
     void add_face(std::span<const tinyobj::index_t> indices) {
         if (indices.size() < 3) fail("a face needs three vertices");
         corners_.clear();
-        for (const tinyobj::index_t& index : indices) corners_.push_back(resolve(index.vertex_index));
+        uvs_.clear();
+        textured_ = false;
+        for (const tinyobj::index_t& index : indices) add_corner(index);
         if (material_ == kNoMaterial) use_material("");
         if (corners_.size() == 3) {
-            add_triangle({corners_[0], corners_[1], corners_[2]});
+            add_triangle({0, 1, 2});
         } else {
             for (const auto& triangle : triangulate(out_.mesh.positions, corners_)) add_triangle(triangle);
         }
     }
 
-    void add_triangle(std::array<std::uint32_t, 3> triangle) {
+    // `at` names corners of the face at hand.
+    void add_triangle(const std::array<std::uint32_t, 3>& at) {
         const auto& positions = out_.mesh.positions;
+        const std::array<std::uint32_t, 3> triangle = {corners_[at[0]], corners_[at[1]], corners_[at[2]]};
         const Vec3 a = positions[triangle[0]], b = positions[triangle[1]], c = positions[triangle[2]];
         const bool bad_vertex = !usable(a) || !usable(b) || !usable(c);
         if (bad_vertex || !has_area(a, b, c)) {
@@ -123,6 +154,10 @@ private:
         }
         if (out_.mesh.triangles.size() == std::numeric_limits<std::int32_t>::max())
             fail("too many triangles");
+        if (textured_) {
+            out_.mesh.texcoords.resize(out_.mesh.triangles.size());  // earlier faces may have had none
+            out_.mesh.texcoords.push_back({uvs_[at[0]], uvs_[at[1]], uvs_[at[2]]});
+        }
         out_.mesh.triangles.push_back(triangle);
         out_.mesh.material.push_back(material_);
     }
@@ -138,7 +173,10 @@ private:
     ObjText text_;
     const std::string& file_;
     ObjMesh out_;
+    std::vector<Vec2> texcoords_;
     std::vector<std::uint32_t> corners_;  // of the face at hand
+    std::vector<Vec2> uvs_;               // of its corners
+    bool textured_ = false;               // whether it names any
     std::unordered_map<std::string, std::uint32_t> material_ids_;
     std::uint32_t material_ = kNoMaterial;  // what usemtl said last
 };

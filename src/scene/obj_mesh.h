@@ -25,14 +25,22 @@ struct DroppedTriangles {
     std::uint64_t total() const { return bad_vertex + zero_area; }
 };
 
+// Texture coordinates that are no finite numbers, or beyond 1e18: they count as (0, 0).
+struct BadTexcoords {
+    std::uint64_t count = 0;
+    std::uint64_t first_line = 0;
+};
+
 struct ObjMesh {
     Mesh mesh;                       // mesh.material[i] is a position in `materials`
     std::vector<ObjName> materials;  // named by usemtl, in order; "" stands for faces before any usemtl
     std::vector<ObjName> libraries;  // named by mtllib, in order
     DroppedTriangles dropped;
+    BadTexcoords bad_texcoords;
 };
 
-// Polygons are triangulated. A face may only use vertices that are defined above it. Throws Error(usage) for
+// Polygons are triangulated. A face may only use vertices and texture coordinates that are defined above it;
+// a corner without texture coordinates has (0, 0), and a mesh without any has none. Throws Error(usage) for
 // what cannot be understood; `file` is the name to show.
 ObjMesh parse_obj(std::string_view text, const std::string& file);
 

@@ -64,4 +64,13 @@ std::optional<Vec3> parse_vertex(std::string_view line) {
     return vertex;
 }
 
+std::optional<Vec2> parse_texcoord(std::string_view line) {
+    next_word(line);  // "vt"
+    const std::optional<float> u = parse_number(next_word(line));
+    const std::string_view second = next_word(line);
+    const std::optional<float> v = second.empty() || second.starts_with('#') ? 0.0f : parse_number(second);
+    if (!u || !v) return std::nullopt;
+    return Vec2{*u, *v};
+}
+
 }  // namespace ctpbench

@@ -8,6 +8,7 @@
 #include <streambuf>
 #include <string_view>
 
+#include "kernels/texture.h"
 #include "kernels/vec.h"
 
 namespace ctpbench {
@@ -29,5 +30,8 @@ private:
 // The first three numbers of a line `v x y z ...`, each rounded correctly; "nan" and "inf" are numbers.
 // Nothing if there are no three.
 std::optional<Vec3> parse_vertex(std::string_view line);
+
+// The first two numbers of a line `vt u v ...`; a second that is not there is 0, as the format says.
+std::optional<Vec2> parse_texcoord(std::string_view line);
 
 }  // namespace ctpbench

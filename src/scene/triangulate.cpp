@@ -39,7 +39,7 @@ std::vector<Point> project(std::span<const Vec3> positions, std::span<const std:
 
 // An ear is a convex corner whose triangle holds no other corner. `ring` lists the corners that are left. A
 // corner that coincides with one of the ear's does not count: a slit to a hole visits its ends twice.
-bool is_ear(const std::vector<Point>& points, const std::vector<std::size_t>& ring, std::size_t at) {
+bool is_ear(const std::vector<Point>& points, const std::vector<std::uint32_t>& ring, std::size_t at) {
     const std::size_t before = (at + ring.size() - 1) % ring.size(), after = (at + 1) % ring.size();
     const Point a = points[ring[before]], b = points[ring[at]], c = points[ring[after]];
     if (!(area(a, b, c) > 0.0)) return false;
@@ -57,8 +57,8 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> posi
                                                       std::span<const std::uint32_t> corners) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     const std::vector<Point> points = project(positions, corners);
-    std::vector<std::size_t> ring(corners.size());
-    for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = i;
+    std::vector<std::uint32_t> ring(corners.size());
+    for (std::uint32_t i = 0; i < ring.size(); ++i) ring[i] = i;
 
     // Corner 1 comes first: a convex polygon then becomes the fan around its first corner.
     bool ears_left = true;
@@ -71,7 +71,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> posi
             if (ears_left) cut = (1 + tried) % ring.size();
         }
         const std::size_t before = (cut + ring.size() - 1) % ring.size(), after = (cut + 1) % ring.size();
-        triangles.push_back({corners[ring[before]], corners[ring[cut]], corners[ring[after]]});
+        triangles.push_back({ring[before], ring[cut], ring[after]});
         ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(cut));
     }
     return triangles;

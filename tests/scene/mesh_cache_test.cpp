@@ -7,8 +7,8 @@ namespace ctpbench {
 namespace {
 
 const std::string kObj =
-    "mtllib a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nusemtl two words\nf 3 2 1\nf 1 2 4\nf 1 "
-    "1 2\n";
+    "mtllib a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nvt 0.25 0.5\nvt inf 0\nf 1/1 2/1 3/2\n"
+    "usemtl two words\nf 3 2 1\nf 1 2 4\nf 1 1 2\n";
 
 class MeshCache : public SceneFiles {
 protected:
@@ -25,6 +25,15 @@ protected:
         EXPECT_EQ(a.mesh.positions[1], b.mesh.positions[1]);
         EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
         EXPECT_EQ(a.mesh.material, b.mesh.material);
+        ASSERT_EQ(a.mesh.texcoords.size(), b.mesh.texcoords.size());
+        for (std::size_t i = 0; i < a.mesh.texcoords.size(); ++i) {
+            for (int k = 0; k < 3; ++k) {
+                EXPECT_EQ(a.mesh.texcoords[i][k].x, b.mesh.texcoords[i][k].x);
+                EXPECT_EQ(a.mesh.texcoords[i][k].y, b.mesh.texcoords[i][k].y);
+            }
+        }
+        EXPECT_EQ(a.bad_texcoords.count, b.bad_texcoords.count);
+        EXPECT_EQ(a.bad_texcoords.first_line, b.bad_texcoords.first_line);
         const auto equal = [](const ObjName& x, const ObjName& y) {
             return x.name == y.name && x.line == y.line;
         };
@@ -45,10 +54,21 @@ TEST_F(MeshCache, GivesBackWhatWasParsed) {
     ASSERT_TRUE(fs::exists(cached));
     expect_equal(load(), parsed);
     expect_equal(load_obj(obj, std::nullopt, notices), parsed);
+    ASSERT_EQ(parsed.mesh.texcoords.size(), 2u);
+    EXPECT_EQ(parsed.mesh.texcoords[0][1].y, 0.5f);
     EXPECT_EQ(parsed.libraries.size(), 2u);
     EXPECT_EQ(parsed.materials[1].name, "two words");
     EXPECT_TRUE(notices.empty());
     EXPECT_EQ(std::distance(fs::directory_iterator(cache), {}), 1);  // no unfinished file is left
+}
+
+TEST_F(MeshCache, KeepsAMeshWithoutTextureCoordinates) {
+    const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    obj = write("a.obj", text);
+    load();
+    ASSERT_TRUE(fs::exists(cache / MeshKey::of(text).file_name()));
+    EXPECT_TRUE(load().mesh.texcoords.empty());
+    EXPECT_TRUE(notices.empty());
 }
 
 TEST_F(MeshCache, IsWhatIsReadTheSecondTime) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/scene/files.h"
@@ -18,9 +19,9 @@ void expect_usage_error(const std::string& text, const std::string& part) {
 }
 
 TEST(ObjMesh, ReadsVerticesTrianglesAndNames) {
-    const ObjMesh obj =
-        parse("mtllib a.mtl b.mtl\n" + kTriangle + "f 1 2 3\nusemtl red\nf 1/1 2/2 3/3\nusemtl blue \n" +
-              "f -3//1 -2//1 -1//1\nusemtl red\nf 3/1/2 2/1/2 1/1/2\n");
+    const ObjMesh obj = parse("mtllib a.mtl b.mtl\n" + kTriangle +
+                              "vt 0 0\nvt 1 0\nvt 0 1\nf 1 2 3\nusemtl red\nf 1/1 2/2 3/3\nusemtl blue \n" +
+                              "f -3//1 -2//1 -1//1\nusemtl red\nf 3/1/2 2/1/2 1/1/2\n");
     ASSERT_EQ(obj.mesh.positions.size(), 3u);
     EXPECT_EQ(obj.mesh.positions[1], (Vec3{1, 0, 0}));
     ASSERT_EQ(obj.mesh.triangles.size(), 4u);
@@ -30,7 +31,7 @@ TEST(ObjMesh, ReadsVerticesTrianglesAndNames) {
     ASSERT_EQ(obj.materials.size(), 3u);
     EXPECT_EQ(obj.materials[0].name, "");
     EXPECT_EQ(obj.materials[1].name, "red");
-    EXPECT_EQ(obj.materials[1].line, 6u);
+    EXPECT_EQ(obj.materials[1].line, 9u);
     EXPECT_EQ(obj.materials[2].name, "blue");
     ASSERT_EQ(obj.libraries.size(), 2u);
     EXPECT_EQ(obj.libraries[1].name, "b.mtl");
@@ -98,6 +99,77 @@ TEST(ObjMesh, TriangulatesPolygons) {
     ASSERT_EQ(obj.mesh.triangles.size(), 5u);
     EXPECT_EQ(obj.mesh.triangles[0], (std::array<std::uint32_t, 3>{0, 1, 2}));
     EXPECT_EQ(obj.mesh.triangles[1], (std::array<std::uint32_t, 3>{0, 2, 3}));
+}
+
+const std::string kTexcoords = "vt 0.25 0.5\nvt 1 0 9\nvt -3.5\n";
+
+void expect_uv(Vec2 uv, float u, float v) {
+    EXPECT_EQ(uv.x, u);
+    EXPECT_EQ(uv.y, v);
+}
+
+TEST(ObjMesh, ReadsTextureCoordinatesParallelToTheTriangles) {
+    const ObjMesh obj = parse(kTriangle + "f 1 2 3\n" + kTexcoords +
+                              "f 1/1 2/2 3/3\nf 1/-1/1 2/-2/1 3\nf 1 1 2\nf 1//1 2//1 3//1\n");
+    ASSERT_EQ(obj.mesh.triangles.size(), 4u);
+    ASSERT_EQ(obj.mesh.texcoords.size(), 4u);
+    for (const std::size_t without : {0, 3}) {
+        for (const Vec2 uv : obj.mesh.texcoords[without]) expect_uv(uv, 0, 0);
+    }
+    expect_uv(obj.mesh.texcoords[1][0], 0.25f, 0.5f);
+    expect_uv(obj.mesh.texcoords[1][1], 1, 0);
+    expect_uv(obj.mesh.texcoords[1][2], -3.5f, 0);  // a `vt` may have one number
+    expect_uv(obj.mesh.texcoords[2][0], -3.5f, 0);
+    expect_uv(obj.mesh.texcoords[2][1], 1, 0);
+    expect_uv(obj.mesh.texcoords[2][2], 0, 0);
+    EXPECT_EQ(obj.bad_texcoords.count, 0u);
+}
+
+TEST(ObjMesh, HasNoTextureCoordinatesUnlessAFaceNamesSome) {
+    EXPECT_TRUE(parse(kTriangle + kTexcoords + "f 1 2 3\n").mesh.texcoords.empty());
+    EXPECT_TRUE(parse(kTriangle + "f 1 2 3\n").mesh.texcoords.empty());
+}
+
+// A slit polygon visits the positions 1 and 5 twice, with other coordinates each time; they are the corner's
+// number. So a triangle's vertices must be the positions of the corners that its coordinates name.
+TEST(ObjMesh, PolygonsKeepTheCoordinatesOfTheirCorners) {
+    const std::vector<int> corners = {1, 2, 3, 4, 1, 5, 6, 7, 8, 5};
+    std::string text = "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\n";
+    std::string face = "f";
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        text += "vt " + std::to_string(i) + " 0\n";
+        face += " " + std::to_string(corners[i]) + "/" + std::to_string(i + 1);
+    }
+    const ObjMesh obj = parse(text + face + "\n");
+    ASSERT_EQ(obj.mesh.triangles.size(), 8u);
+    std::vector<int> uses(corners.size());
+    for (std::size_t i = 0; i < obj.mesh.triangles.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const auto corner = static_cast<std::size_t>(obj.mesh.texcoords[i][k].x);
+            EXPECT_EQ(obj.mesh.triangles[i][k] + 1, static_cast<std::uint32_t>(corners[corner]));
+            ++uses[corner];
+        }
+    }
+    EXPECT_EQ(std::count(uses.begin(), uses.end(), 0), 0);  // each corner is one of some triangle
+}
+
+TEST(ObjMesh, CountsBrokenTextureCoordinates) {
+    const ObjMesh obj = parse(kTriangle + "vt nan 0\nvt 0 inf\nvt x 1\nvt \nvt 1e19 0\nvt 0.5 0.5\n" +
+                              "f 1/1 2/2 3/6\nf 1/3 2/4 3/5\n");
+    EXPECT_EQ(obj.bad_texcoords.count, 5u);
+    EXPECT_EQ(obj.bad_texcoords.first_line, 4u);
+    expect_uv(obj.mesh.texcoords[0][0], 0, 0);
+    expect_uv(obj.mesh.texcoords[0][1], 0, 0);
+    expect_uv(obj.mesh.texcoords[0][2], 0.5f, 0.5f);
+    for (const Vec2 uv : obj.mesh.texcoords[1]) expect_uv(uv, 0, 0);
+}
+
+TEST(ObjMesh, NamesTheLineOfABrokenTextureIndex) {
+    expect_usage_error(kTriangle + "vt 0 0\nf 1/1 2/2 3/1\n",
+                       "a.obj:5: a face uses texture coordinate 2, but 1 texture coordinates are defined");
+    expect_usage_error(kTriangle + "vt 0 0\nf 1/1 2/-2 3/1\n", "a.obj:5: a face uses texture coordinate -2");
+    expect_usage_error(kTriangle + "f 1/1 2/1 3/1\nvt 0 0\n", "a.obj:4: a face uses texture coordinate 1");
+    expect_usage_error(kTriangle + "vt 0 0\nf 1/2147483647 2 3\n", "texture coordinate 2147483647");
 }
 
 TEST(ObjMesh, SkipsWhatItDoesNotNeed) {

@@ -40,6 +40,10 @@ TEST(ContentHash, ShowsEveryChangeOfContent) {
     expect_changed([](Scene& s) { s.mesh.positions[0].x = -0.0f; });
     expect_changed([](Scene& s) { s.mesh.triangles[0] = {1, 2, 0}; });
     expect_changed([](Scene& s) { s.mesh.material[0] = 1; });
+    expect_changed([](Scene& s) { s.mesh.texcoords.resize(1); });
+    expect_changed([](Scene& s) { s.texels.push_back({1, 2, 3, 4}); });
+    expect_changed([](Scene& s) { s.ambient.z = 0.5f; });
+    expect_changed([](Scene& s) { s.materials[0].look.type = 1; });
     expect_changed([](Scene& s) { s.spheres.push_back({{0, 0, 0}, 1}); });
     expect_changed([](Scene& s) { s.materials[0].look.diffuse.y = 0.6f; });
     expect_changed([](Scene& s) { s.materials[0].name = "gray"; });
@@ -50,6 +54,7 @@ TEST(ContentHash, DoesNotDependOnTheView) {
     Scene scene = sample();
     scene.name = "other";
     scene.camera.eye = {1, 2, 3};
+    scene.exposure = 2.0f;
     scene.source = SceneSource::stand_in;
     EXPECT_EQ(content_hash(scene), content_hash(sample()));
 }
