@@ -1,9 +1,7 @@
 #include "scene/load_scene.h"
 
-#include <algorithm>
-
 #include "base/error.h"
-#include "base/suggest.h"
+#include "kernels/materials/list.h"
 #include "scene/content_hash.h"
 #include "scene/framing.h"
 #include "scene/material_library.h"
@@ -11,6 +9,7 @@
 #include "scene/recipes/recipes.h"
 #include "scene/scene_file.h"
 #include "scene/spheres.h"
+#include "scene/textures.h"
 
 namespace ctpbench {
 namespace {
@@ -26,7 +25,7 @@ SceneFile bare_obj(const fs::path& path) {
     SceneFile file;
     file.path = path;
     file.name = path.stem().string();
-    file.meshes.push_back({{fs::absolute(path).string()}, 0, "", std::nullopt});
+    file.meshes.emplace_back().files = {fs::absolute(path).string()};
     return file;
 }
 
@@ -82,6 +81,13 @@ void notice_dropped(const DroppedTriangles& dropped, const fs::path& path, Notic
                       " with a coordinate that is NaN, infinite or beyond 1e18");
 }
 
+void notice_bad_texcoords(const BadTexcoords& bad, const fs::path& path, Notices& notices) {
+    if (bad.count == 0) return;
+    notices.push_back(
+        path.string() + ":" + std::to_string(bad.first_line) + ": the first of " + std::to_string(bad.count) +
+        " texture coordinates that are NaN, infinite, beyond 1e18 or no numbers; they count as 0, 0");
+}
+
 // The paper states thousands.
 void notice_count(const SceneFile& file, const MeshEdition& edition, std::uint64_t triangles,
                   Notices& notices) {
@@ -101,37 +107,32 @@ void notice_count(const SceneFile& file, const MeshEdition& edition, std::uint64
 void add_mesh(Scene& scene, const SceneFile& file, const FoundMesh& found, Notices& notices) {
     ObjMesh obj = load_obj(found.path, mesh_cache_folder(), notices);
     scene.source = SceneSource::mesh;
-    scene.materials = read_materials(obj, found.path, notices);
+    MeshMaterials library = read_materials(obj, found.path, notices);
+    scene.materials = std::move(library.materials);
     scene.mesh = std::move(obj.mesh);
     scene.dropped_triangles = obj.dropped.total();
     notice_dropped(obj.dropped, found.path, notices);
+    notice_bad_texcoords(obj.bad_texcoords, found.path, notices);
     notice_count(file, *found.edition, scene.mesh.triangles.size() + scene.dropped_triangles, notices);
     const std::optional<Camera>& camera = found.edition->camera ? found.edition->camera : file.camera;
     scene.camera = camera ? *camera : framing_camera(scene_bounds(scene));
+    // An override may make a material of a type that has no texture, which then need not be read.
+    apply_overrides(file.overrides, scene.materials);
+    apply_overrides(found.edition->overrides, scene.materials);
+    load_textures(scene, library.textures, notices);
 }
 
 void add_recipe(Scene& scene, const SceneFile& file) {
     scene.source = SceneSource::stand_in;
     find_recipe(file.recipe->name)->build(scene.mesh, scene.materials, file.recipe->seed);
     scene.camera = file.camera ? *file.camera : framing_camera(scene_bounds(scene));
+    apply_overrides(file.overrides, scene.materials);
 }
 
-void apply_overrides(Scene& scene, const SceneFile& file) {
-    for (const MaterialOverride& change : file.overrides) {
-        const auto named = [&](const Material& material) { return material.name == change.material; };
-        const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), named);
-        if (found == scene.materials.end()) {
-            std::vector<std::string> names;
-            for (const Material& material : scene.materials) names.push_back(material.name);
-            throw Error(ExitCode::usage,
-                        error_line(change.place, unknown_name("material", change.material, names)));
-        }
-        found->look.diffuse = change.diffuse;
-    }
-}
-
-// Mesh or recipe of this very file, without a look at its stand-in.
-void add_geometry(Scene& scene, const SceneFile& file, const Folders& folders, Notices& notices) {
+// Mesh or recipe of this very file, without a look at its stand-in. This and the next two return the spheres
+// to place, which stay apart since the scattered ones fill the bounds of the triangles alone.
+std::vector<SphereShape> add_geometry(Scene& scene, const SceneFile& file, const Folders& folders,
+                                      Notices& notices) {
     if (file.recipe) {
         add_recipe(scene, file);
     } else if (const auto found = find_mesh(file, folders)) {
@@ -139,16 +140,21 @@ void add_geometry(Scene& scene, const SceneFile& file, const Folders& folders, N
     } else {
         fail_without_mesh(file, folders);
     }
-    apply_overrides(scene, file);
+    scene.ambient = file.ambient;
+    scene.exposure = file.exposure;
+    return file.spheres.placed;
 }
 
-void add_stand_in(Scene& scene, const SceneFile& file, const Folders& folders, Notices& notices) {
-    add_geometry(scene, read_scene_file(find_scene_file(file.stand_in, folders)), folders, notices);
+std::vector<SphereShape> add_stand_in(Scene& scene, const SceneFile& file, const Folders& folders,
+                                      Notices& notices) {
+    auto placed =
+        add_geometry(scene, read_scene_file(find_scene_file(file.stand_in, folders)), folders, notices);
     scene.source = SceneSource::stand_in;
+    return placed;
 }
 
-void add_chosen_geometry(Scene& scene, const SceneFile& file, SceneChoice choice, const Folders& folders,
-                         Notices& notices) {
+std::vector<SphereShape> add_chosen_geometry(Scene& scene, const SceneFile& file, SceneChoice choice,
+                                             const Folders& folders, Notices& notices) {
     if (choice == SceneChoice::real && file.recipe) fail_without_mesh(file, folders);
     if (choice == SceneChoice::stand_in && !file.recipe) {
         if (!file.stand_in.empty()) return add_stand_in(scene, file, folders, notices);
@@ -163,17 +169,22 @@ void add_chosen_geometry(Scene& scene, const SceneFile& file, SceneChoice choice
             "downloads the mesh");
         return add_stand_in(scene, file, folders, notices);
     }
-    add_geometry(scene, file, folders, notices);
+    return add_geometry(scene, file, folders, notices);
 }
 
-void add_spheres(Scene& scene, const SphereSettings& settings, const SceneRequest& request) {
-    const std::uint32_t count = request.spheres.value_or(settings.count);
-    if (count == 0) return;
-    scene.spheres =
-        scatter_spheres(scene_bounds(scene), count, request.sphere_radius.value_or(settings.radius),
-                        request.seed.value_or(settings.seed));
+void add_spheres(Scene& scene, std::vector<SphereShape> placed, const SphereSettings& settings,
+                 const SceneRequest& request) {
+    const auto scattered = scatter_spheres(scene_bounds(scene), request.spheres.value_or(settings.count),
+                                           request.sphere_radius.value_or(settings.radius),
+                                           request.seed.value_or(settings.seed));
+    scene.spheres = std::move(placed);
+    scene.spheres.insert(scene.spheres.end(), scattered.begin(), scattered.end());
+    if (scene.spheres.empty()) return;
     scene.sphere_material = static_cast<std::uint32_t>(scene.materials.size());
-    scene.materials.push_back({"spheres", settings.diffuse});
+    Material& material = scene.materials.emplace_back();
+    material.name = "spheres";
+    material.look.type = material_type<Mirror>;
+    material.look.specular = settings.specular;
 }
 
 }  // namespace
@@ -183,8 +194,8 @@ Scene load_scene(const SceneRequest& request, Notices& notices) {
     const SceneFile file = find_and_read(request.name, folders);
     Scene scene;
     scene.name = request.name;
-    add_chosen_geometry(scene, file, request.choice, folders, notices);
-    add_spheres(scene, file.spheres, request);
+    auto placed = add_chosen_geometry(scene, file, request.choice, folders, notices);
+    add_spheres(scene, std::move(placed), file.spheres, request);
     scene.content_hash = content_hash(scene);
     return scene;
 }

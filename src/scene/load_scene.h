@@ -21,8 +21,9 @@ struct SceneRequest {
     std::optional<std::uint64_t> seed;
 };
 
-// Triangles, then spheres scattered in their bounds, then their one material. Throws Error(scene_missing) if
-// the mesh cannot be found and Error(usage) if a file is wrong.
+// Triangles, then the spheres that are placed, then those scattered in the triangles' bounds, all of one
+// material. The light, the exposure and the placed spheres are those of the file that the triangles come
+// from. Throws Error(scene_missing) if the mesh cannot be found and Error(usage) if a file is wrong.
 Scene load_scene(const SceneRequest& request, Notices& notices);
 
 }  // namespace ctpbench

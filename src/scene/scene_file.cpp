@@ -22,7 +22,7 @@ std::optional<Camera> read_camera_if_there(const JsonObject& parent) {
     return read_camera(parent.object("camera"));
 }
 
-MeshEdition read_edition(const JsonObject& json) {
+MeshEdition read_edition(const JsonObject& json, const JsonDocument& document) {
     MeshEdition edition;
     for (const JsonValue& value : json.value("file").list_or_one()) {
         std::string file;
@@ -32,13 +32,14 @@ MeshEdition read_edition(const JsonObject& json) {
     json.get("triangles", edition.triangles);
     json.get("variant", edition.variant);
     edition.camera = read_camera_if_there(json);
+    edition.overrides = read_overrides(json.object("overrides"), document);
     return edition;
 }
 
-void read_geometry(const JsonObject& root, SceneFile& scene) {
+void read_geometry(const JsonObject& root, const JsonDocument& document, SceneFile& scene) {
     if (root.has("mesh") == root.has("recipe")) root.error("a scene needs either \"mesh\" or \"recipe\"");
     for (const JsonValue& value : root.value("mesh").list_or_one()) {
-        scene.meshes.push_back(read_edition(value.object()));
+        scene.meshes.push_back(read_edition(value.object(), document));
     }
     if (root.has("mesh") && scene.meshes.empty())
         root.error("mesh", "an empty list; a mesh needs a \"file\"");
@@ -55,15 +56,12 @@ void read_spheres(const JsonObject& json, SphereSettings& spheres) {
     json.get("count", spheres.count, range(0, 1e9));
     json.get("radius", spheres.radius, above(0));
     json.get("seed", spheres.seed);
-    json.get("diffuse", spheres.diffuse, range(0, 1));
-}
-
-void read_overrides(const JsonObject& json, const JsonDocument& document,
-                    std::vector<MaterialOverride>& overrides) {
-    for (const auto& [name, value] : json.object("materials").members()) {
-        MaterialOverride change{name, {}, document.key_place(value.pointer())};
-        value.object().require("diffuse", change.diffuse, range(0, 1));
-        overrides.push_back(change);
+    json.get("specular", spheres.specular, range(0, 1));
+    for (const JsonValue& value : json.list("placed")) {
+        const JsonObject sphere = value.object();
+        SphereShape& shape = spheres.placed.emplace_back();
+        sphere.require("center", shape.center);
+        sphere.require("radius", shape.radius, above(0));
     }
 }
 
@@ -77,12 +75,14 @@ SceneFile read_scene_file(const std::filesystem::path& path) {
     std::uint32_t schema_version = 1;
     root.require("schema_version", schema_version, range(1, 1));
     root.require("name", scene.name);
-    read_geometry(root, scene);
+    read_geometry(root, reader.document(), scene);
     root.get("stand_in", scene.stand_in);
     root.get("paper_triangles", scene.paper_triangles);
     scene.camera = read_camera_if_there(root);
+    root.get("ambient", scene.ambient, at_least(0));
+    root.get("exposure", scene.exposure, above(0));
     read_spheres(root.object("spheres"), scene.spheres);
-    read_overrides(root.object("overrides"), reader.document(), scene.overrides);
+    scene.overrides = read_overrides(root.object("overrides"), reader.document());
     reader.finish();
     return scene;
 }

@@ -1,5 +1,6 @@
 #include "scene/load_scene.h"
 
+#include "kernels/materials/list.h"
 #include "tests/scene/files.h"
 
 namespace ctpbench {
@@ -176,6 +177,60 @@ TEST_F(LoadScene, OverridesMaterials) {
                  "a.json:2:37: error: unknown material \"rad\"; did you mean \"red\"?");
 }
 
+TEST_F(LoadScene, OverridesTypesAndTheRest) {
+    write("one/a.json", scene_text(R"("mesh": {"file": "a/a.obj",
+        "overrides": {"materials": {"red": {"type": "mirror"}}}},
+        "overrides": {"materials": {"red": {"type": "plastic", "specular": [0, 1, 0], "exponent": 7,
+                                            "emission": [5, 0, 0]}}})"));
+    const MaterialDescription look = load().materials[0].look;
+    EXPECT_EQ(look.type, material_type<Mirror>);  // the edition has the last word
+    EXPECT_EQ(look.specular, (Vec3{0, 1, 0}));
+    EXPECT_EQ(look.exponent, 7.0f);
+    EXPECT_EQ(look.emission, (Vec3{5, 0, 0}));
+    EXPECT_EQ(look.diffuse, (Vec3{1, 0, 0}));
+}
+
+TEST_F(LoadScene, TakesLightAndExposureOfTheFileWithTheTriangles) {
+    write("one/b.json", scene_text(R"("mesh": {"file": "b.obj"}, "ambient": [0, 2, 0], "exposure": 3,
+        "spheres": {"placed": [{"center": [0, 9, 0], "radius": 1}]})"));
+    const Scene plain = load();
+    EXPECT_EQ(plain.ambient, (Vec3{1, 1, 1}));
+    EXPECT_EQ(plain.exposure, 1.0f);
+    EXPECT_TRUE(plain.spheres.empty());
+    request.choice = SceneChoice::stand_in;
+    const Scene scene = load();
+    EXPECT_EQ(scene.ambient, (Vec3{0, 2, 0}));
+    EXPECT_EQ(scene.exposure, 3.0f);
+    EXPECT_EQ(scene.spheres.size(), 1u);
+}
+
+TEST_F(LoadScene, PlacesSpheresBeforeTheScatteredOnes) {
+    const std::string mesh = R"("mesh": {"file": "a/a.obj"}, )";
+    write("one/a.json", scene_text(mesh + R"("spheres": {"count": 3})"));
+    const Scene scattered = load();
+    write("one/a.json", scene_text(mesh + R"("spheres": {"count": 3, "specular": [1, 0, 0],
+        "placed": [{"center": [100, 0, 0], "radius": 9}]})"));
+    const Scene both = load();
+    ASSERT_EQ(both.spheres.size(), 4u);
+    EXPECT_EQ(both.spheres[0].center, (Vec3{100, 0, 0}));
+    EXPECT_EQ(both.spheres[0].radius, 9.0f);
+    for (int i = 0; i < 3; ++i) {  // in the triangles' bounds, whatever is placed outside
+        EXPECT_EQ(both.spheres[i + 1].center, scattered.spheres[i].center);
+        EXPECT_EQ(both.spheres[i + 1].radius, scattered.spheres[i].radius);
+    }
+    EXPECT_EQ(both.materials.at(both.sphere_material).look.specular, (Vec3{1, 0, 0}));
+    request.spheres = 0;
+    const Scene placed = load();
+    EXPECT_EQ(placed.spheres.size(), 1u);
+    EXPECT_EQ(placed.materials.at(placed.sphere_material).look.type, material_type<Mirror>);
+}
+
+TEST_F(LoadScene, NoticesBrokenTextureCoordinates) {
+    write("one/a/a.obj", "vt nan 0\n" + kObj);
+    load();
+    EXPECT_TRUE(has_notice(notices, "a.obj:1: the first of 1 texture coordinates that are NaN"));
+}
+
 TEST_F(LoadScene, ScattersSpheres) {
     write("one/a.json",
           scene_text(R"("mesh": {"file": "a/a.obj"}, "spheres": {"count": 3, "radius": 0.5, "seed": 2})"));
@@ -184,7 +239,8 @@ TEST_F(LoadScene, ScattersSpheres) {
     EXPECT_NEAR(scene.spheres[0].radius, 0.5 * std::cbrt(8.0 / 3.0), 1e-6);
     EXPECT_EQ(scene.sphere_material, 1u);
     EXPECT_EQ(scene.materials[1].name, "spheres");
-    EXPECT_EQ(scene.materials[1].look.diffuse, (Vec3{0.8f, 0.8f, 0.8f}));
+    EXPECT_EQ(scene.materials[1].look.type, material_type<Mirror>);
+    EXPECT_EQ(scene.materials[1].look.specular, (Vec3{0.9f, 0.9f, 0.9f}));
 
     request.spheres = 1000;
     request.sphere_radius = 0.1f;

@@ -1,5 +1,6 @@
 #include "scene/material_library.h"
 
+#include "kernels/materials/list.h"
 #include "tests/scene/files.h"
 
 namespace ctpbench {
@@ -7,9 +8,18 @@ namespace {
 
 class MaterialLibrary : public SceneFiles {
 protected:
-    std::vector<Material> read_for(const std::string& obj) {
+    MeshMaterials read_all(const std::string& obj) {
         const fs::path path = write("a.obj", obj + "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
         return read_materials(parse_obj(read(path), path.string()), path, notices);
+    }
+    std::vector<Material> read_for(const std::string& obj) { return read_all(obj).materials; }
+    MaterialDescription look_of(const std::string& mtl) {
+        write("a.mtl", "newmtl red\n" + mtl);
+        return read_for("mtllib a.mtl\n")[0].look;
+    }
+    TextureFiles textures_of(const std::string& mtl) {
+        write("sub/a.mtl", "newmtl red\n" + mtl);
+        return read_all("mtllib sub/a.mtl\n").textures.at(0);
     }
 };
 
@@ -61,9 +71,51 @@ TEST_F(MaterialLibrary, RefusesFilesOutsideTheFolder) {
     EXPECT_EQ(read_for("mtllib x/../a.mtl\n").size(), 1u);  // stays inside
 }
 
+TEST_F(MaterialLibrary, ChoosesTheType) {
+    const struct {
+        const char* mtl;
+        std::uint32_t type;
+    } cases[] = {
+        {"Kd 1 1 1\n", material_type<Matte>},
+        {"Ks 0 0 0\nNs 500\nillum 3\n", material_type<Matte>},
+        {"Ks 0 0.01 0\nNs 10\nillum 2\n", material_type<Plastic>},
+        {"Ks 1 1 1\nNs 100\n", material_type<Plastic>},
+        {"Ks 1 1 1\nNs 100.5\n", material_type<Mirror>},
+        {"Ks 0.1 0 0\nNs 1\nillum 3\n", material_type<Mirror>},
+        {"Ks 0.1 0 0\nNs 1\nillum 5\n", material_type<Mirror>},
+        {"Ks 1 1 1\nNs 1\nillum 7\n", material_type<Plastic>},
+        {"Ks 1 1 1\nNs 500\nillum 3\nKe 0 0 0.5\n", material_type<Emissive>},
+        {"Ke -1 0 0\nKs -1 0 0\n", material_type<Matte>},
+    };
+    for (const auto& each : cases) EXPECT_EQ(look_of(each.mtl).type, each.type) << each.mtl;
+}
+
+TEST_F(MaterialLibrary, ReadsWhatTheTypesNeed) {
+    const MaterialDescription look = look_of("Kd 0.1 0.2 0.3\nKs 2 0.5 -1\nNs 30\nKe 12 nan -1\n");
+    EXPECT_EQ(look.diffuse, (Vec3{0.1f, 0.2f, 0.3f}));
+    EXPECT_EQ(look.specular, (Vec3{1, 0.5f, 0}));
+    EXPECT_EQ(look.exponent, 30.0f);
+    EXPECT_EQ(look.emission, (Vec3{12, 0, 0}));
+    EXPECT_EQ(look_of("Ns -5\n").exponent, 0.0f);
+}
+
+TEST_F(MaterialLibrary, FindsImagesBesideTheirMtlFile) {
+    const TextureFiles files = textures_of("map_Kd tex\\wood one.png \nmap_d ../mask.png\n");
+    EXPECT_EQ(files.color.lexically_normal(), folder / "sub/tex/wood one.png");
+    EXPECT_EQ(files.mask.lexically_normal(), folder / "mask.png");
+    EXPECT_FALSE(textures_of("Kd 1 1 1\n").any());
+}
+
+TEST_F(MaterialLibrary, RefusesImagesOutsideTheFolder) {
+    EXPECT_ERROR(textures_of("map_Kd ../../x.png\n"), ExitCode::usage,
+                 "material \"red\": its texture \"../../x.png\" is outside");
+    EXPECT_ERROR(textures_of("map_Kd ..\\..\\x.png\n"), ExitCode::usage, "is outside");
+    EXPECT_ERROR(textures_of("map_d /etc/x.png\n"), ExitCode::usage, "is outside");
+}
+
 TEST_F(MaterialLibrary, FacesBeforeAnyMaterialAreGreyWithoutANotice) {
     const auto mesh = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj");
-    const auto materials = read_materials(mesh, "a.obj", notices);
+    const auto materials = read_materials(mesh, "a.obj", notices).materials;
     ASSERT_EQ(materials.size(), 1u);
     EXPECT_EQ(materials[0].name, "default");
     EXPECT_TRUE(notices.empty());

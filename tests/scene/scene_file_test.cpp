@@ -1,5 +1,6 @@
 #include "scene/scene_file.h"
 
+#include "kernels/materials/list.h"
 #include "tests/scene/files.h"
 
 namespace ctpbench {
@@ -14,11 +15,16 @@ TEST_F(SceneFileTest, ReadsEveryKey) {
     const SceneFile file = parse(R"({
         "schema_version": 1, "name": "a",
         "mesh": [{"file": "a.obj", "triangles": 12, "variant": "v"},
-                 {"file": ["b.obj", "c.obj"], "camera": {"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 1], "fov": 84}}],
+                 {"file": ["b.obj", "c.obj"], "camera": {"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 1], "fov": 84},
+                  "overrides": {"materials": {"x": {"type": "mirror"}}}}],
         "stand_in": "b", "paper_triangles": 13,
         "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]},
-        "spheres": {"count": 7, "radius": 0.5, "seed": 18446744073709551615, "diffuse": [0, 0.5, 1]},
-        "overrides": {"materials": {"carpet": {"diffuse": [1, 0, 0]}}}
+        "spheres": {"count": 7, "radius": 0.5, "seed": 18446744073709551615, "specular": [0, 0.5, 1],
+                    "placed": [{"center": [1, 2, 3], "radius": 0.25}, {"center": [4, 5, 6], "radius": 2}]},
+        "ambient": [0, 2.5, 1], "exposure": 0.25,
+        "overrides": {"materials": {
+            "carpet": {"diffuse": [1, 0, 0]},
+            "lamp": {"type": "emissive", "emission": [12, 0, 1], "specular": [0, 1, 0], "exponent": 500}}}
     })");
     EXPECT_EQ(file.name, "a");
     ASSERT_EQ(file.meshes.size(), 2u);
@@ -32,9 +38,27 @@ TEST_F(SceneFileTest, ReadsEveryKey) {
     EXPECT_EQ(file.paper_triangles, 13u);
     EXPECT_EQ(file.spheres.count, 7u);
     EXPECT_EQ(file.spheres.seed, 18446744073709551615ull);
-    ASSERT_EQ(file.overrides.size(), 1u);
-    EXPECT_EQ(file.overrides[0].material, "carpet");
-    EXPECT_EQ(file.overrides[0].place.line, 8u);
+    EXPECT_EQ(file.spheres.specular, (Vec3{0, 0.5f, 1}));
+    ASSERT_EQ(file.spheres.placed.size(), 2u);
+    EXPECT_EQ(file.spheres.placed[1].center, (Vec3{4, 5, 6}));
+    EXPECT_EQ(file.spheres.placed[0].radius, 0.25f);
+    EXPECT_EQ(file.ambient, (Vec3{0, 2.5f, 1}));
+    EXPECT_EQ(file.exposure, 0.25f);
+    ASSERT_EQ(file.overrides.size(), 2u);
+    const MaterialOverride& carpet = file.overrides[0];
+    EXPECT_EQ(carpet.material, "carpet");
+    EXPECT_EQ(carpet.place.line, 12u);
+    EXPECT_EQ(carpet.diffuse, (Vec3{1, 0, 0}));
+    EXPECT_FALSE(carpet.type || carpet.specular || carpet.emission || carpet.exponent);
+    const MaterialOverride& lamp = file.overrides[1];
+    EXPECT_EQ(lamp.type, material_type<Emissive>);
+    EXPECT_EQ(lamp.emission, (Vec3{12, 0, 1}));
+    EXPECT_EQ(lamp.specular, (Vec3{0, 1, 0}));
+    EXPECT_EQ(lamp.exponent, 500.0f);
+    EXPECT_FALSE(lamp.diffuse);
+    EXPECT_TRUE(file.meshes[0].overrides.empty());
+    ASSERT_EQ(file.meshes[1].overrides.size(), 1u);
+    EXPECT_EQ(file.meshes[1].overrides[0].type, material_type<Mirror>);
 }
 
 TEST_F(SceneFileTest, ReadsARecipe) {
@@ -59,7 +83,21 @@ TEST_F(SceneFileTest, NamesThePlaceOfEachMistake) {
     expect(R"("spheres": {"radius": 0})", "radius");
     expect(R"("spheres": {"count": -1})", "count");
     expect(R"("overrides": {"materials": {"x": {"diffuse": [2, 0, 0]}}})", "diffuse");
-    expect(R"("overrides": {"materials": {"x": {}}})", "diffuse");
+    expect(R"("overrides": {"materials": {"x": {}}})", "changes nothing");
+    expect(R"("overrides": {"materials": {"x": {"type": "glass"}}})",
+           R"(choices: "matte", "plastic", "mirror", "emissive")");
+    expect(R"("overrides": {"materials": {"x": {"type": "plastik"}}})", "did you mean \"plastic\"");
+    expect(R"("overrides": {"materials": {"x": {"type": "matte", "color": [0, 0, 0]}}})",
+           "/color: unknown key");
+    expect(R"("overrides": {"materials": {"x": {"emission": [0, -1, 0]}}})", "emission");
+    expect(R"("overrides": {"materials": {"x": {"specular": [0, 1.5, 0]}}})", "specular");
+    expect(R"("overrides": {"materials": {"x": {"exponent": -1}}})", "exponent");
+    expect(R"("ambient": [0, 0, -0.5])", "ambient");
+    expect(R"("ambient": 1)", "ambient");
+    expect(R"("exposure": 0)", "exposure");
+    expect(R"("spheres": {"diffuse": [1, 1, 1]})", "diffuse: unknown key");
+    expect(R"("spheres": {"placed": [{"center": [0, 0, 0], "radius": 0}]})", "radius");
+    expect(R"("spheres": {"placed": [{"radius": 1}]})", "center");
     expect(R"("overrides": {"material": {}})", "unknown key");
 }
 
