@@ -12,6 +12,8 @@
 #include <set>
 #include <string>
 
+#include "kernels/materials/list.h"
+
 namespace ctpbench {
 
 void PrintTo(const Recipe& recipe, std::ostream* out) { *out << recipe.name; }
@@ -105,17 +107,40 @@ TEST_P(Recipes, SeedDecidesTheMesh) {
     EXPECT_EQ(other.mesh.triangles.size(), recipe.triangles);
 }
 
-TEST_P(Recipes, MaterialsAreNamedAlbedos) {
+TEST_P(Recipes, MaterialsAreNamedAndDescribed) {
     const auto [mesh, materials] = build(GetParam(), 1);
     std::set<std::string> names;
     for (const Material& m : materials) {
         EXPECT_FALSE(m.name.empty());
         EXPECT_TRUE(names.insert(m.name).second) << m.name << " occurs twice";
+        const MaterialDescription& look = m.look;
+        EXPECT_FALSE(look.texture.exists()) << m.name;
         for (int c = 0; c < 3; ++c) {
-            EXPECT_GT(m.look.diffuse[c], 0.0f) << m.name;
-            EXPECT_LT(m.look.diffuse[c], 1.0f) << m.name;
+            EXPECT_GT(look.diffuse[c], 0.0f) << m.name;
+            EXPECT_LT(look.diffuse[c], 1.0f) << m.name;
+            if (look.type == material_type<Plastic>) {  // together they must not reflect more than arrives
+                EXPECT_GT(look.specular[c], 0.0f) << m.name;
+                EXPECT_LE(look.specular[c] + look.diffuse[c], 1.0f) << m.name;
+                EXPECT_GT(look.exponent, 0.0f) << m.name;
+            }
+            if (look.type == material_type<Mirror>) {
+                EXPECT_GT(look.specular[c], 0.0f) << m.name;
+                EXPECT_LT(look.specular[c], 1.0f) << m.name;
+            }
+            if (look.type == material_type<Emissive>) EXPECT_GT(look.emission[c], 0.0f) << m.name;
         }
     }
+}
+
+// The courtyard is lit by the sky alone.
+TEST_P(Recipes, HasEveryMaterialType) {
+    const auto [mesh, materials] = build(GetParam(), 1);
+    std::set<std::uint32_t> types;
+    for (const std::uint32_t id : mesh.material) types.insert(materials[id].look.type);
+    std::set<std::uint32_t> expected;
+    for (std::uint32_t type = 0; type < Materials::size; ++type) expected.insert(type);
+    if (GetParam().name == std::string("san_miguel_like")) expected.erase(material_type<Emissive>);
+    EXPECT_EQ(types, expected);
 }
 
 // Rooms have a few huge triangles beside very many tiny ones; that mix is what makes them hard.

@@ -21,7 +21,7 @@ void light_fixture(Mesh& mesh, Vec3 corner, float size, const ConferencePalette&
                  f.point({0, 0.12f, 0}), p.white);
     }
     add_quad(mesh, {corner.x, high.y, corner.z}, {high.x, high.y, corner.z}, high, {corner.x, high.y, high.z},
-             p.white);
+             p.lamp);
     for (const float z : {0.27f, 0.73f}) {
         const Vec3 lamp[] = {corner + Vec3{0.03f, 0.085f, z * size},
                              corner + Vec3{size - 0.03f, 0.085f, z * size}};

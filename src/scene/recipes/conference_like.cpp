@@ -9,24 +9,25 @@
 namespace ctpbench::recipe {
 
 ConferencePalette::ConferencePalette(std::vector<Material>& materials)
-    : wall(add_material(materials, "wall", {0.80f, 0.77f, 0.70f})),
-      carpet(add_material(materials, "carpet", {0.22f, 0.25f, 0.32f})),
-      ceiling(add_material(materials, "ceiling_panel", {0.84f, 0.84f, 0.82f})),
-      wood(add_material(materials, "wood", {0.52f, 0.30f, 0.15f})),
-      dark_wood(add_material(materials, "dark_wood", {0.27f, 0.14f, 0.07f})),
-      upholstery(add_material(materials, "upholstery", {0.48f, 0.09f, 0.10f})),
-      metal(add_material(materials, "metal", {0.56f, 0.57f, 0.58f})),
-      black(add_material(materials, "black_plastic", {0.05f, 0.05f, 0.05f})),
-      white(add_material(materials, "white_paint", {0.86f, 0.86f, 0.84f})),
-      paper(add_material(materials, "paper", {0.90f, 0.89f, 0.83f})),
-      glass(add_material(materials, "glass", {0.62f, 0.74f, 0.80f})),
-      fabric(add_material(materials, "curtain", {0.66f, 0.58f, 0.40f})),
-      lamp(add_material(materials, "lamp", {0.95f, 0.95f, 0.90f})),
-      blue(add_material(materials, "blue", {0.10f, 0.20f, 0.55f})),
-      red(add_material(materials, "red", {0.65f, 0.10f, 0.08f})),
-      green(add_material(materials, "green", {0.10f, 0.45f, 0.18f})),
-      leaf(add_material(materials, "leaf", {0.16f, 0.38f, 0.10f})),
-      clay(add_material(materials, "clay", {0.60f, 0.32f, 0.20f})) {}
+    : wall(add_matte(materials, "wall", {0.80f, 0.77f, 0.70f})),
+      carpet(add_matte(materials, "carpet", {0.22f, 0.25f, 0.32f})),
+      ceiling(add_matte(materials, "ceiling_panel", {0.84f, 0.84f, 0.82f})),
+      wood(add_plastic(materials, "wood", {0.52f, 0.30f, 0.15f}, 0.06f, 80)),
+      dark_wood(add_plastic(materials, "dark_wood", {0.27f, 0.14f, 0.07f}, 0.08f, 120)),
+      upholstery(add_matte(materials, "upholstery", {0.48f, 0.09f, 0.10f})),
+      metal(add_mirror(materials, "metal", {0.78f, 0.79f, 0.80f})),
+      black(add_plastic(materials, "black_plastic", {0.05f, 0.05f, 0.05f}, 0.06f, 60)),
+      white(add_plastic(materials, "white_paint", {0.86f, 0.86f, 0.84f}, 0.05f, 40)),
+      paper(add_matte(materials, "paper", {0.90f, 0.89f, 0.83f})),
+      glass(add_mirror(materials, "glass", {0.86f, 0.90f, 0.91f})),
+      daylight(add_emissive(materials, "daylight", {1.0f, 1.0f, 1.0f})),
+      fabric(add_matte(materials, "curtain", {0.66f, 0.58f, 0.40f})),
+      lamp(add_emissive(materials, "lamp", {10.0f, 9.8f, 9.0f})),
+      blue(add_plastic(materials, "blue", {0.10f, 0.20f, 0.55f}, 0.06f, 100)),
+      red(add_plastic(materials, "red", {0.65f, 0.10f, 0.08f}, 0.06f, 100)),
+      green(add_matte(materials, "green", {0.10f, 0.45f, 0.18f})),
+      leaf(add_matte(materials, "leaf", {0.16f, 0.38f, 0.10f})),
+      clay(add_plastic(materials, "clay", {0.60f, 0.32f, 0.20f}, 0.04f, 30)) {}
 
 namespace {
 

@@ -8,8 +8,8 @@
 namespace ctpbench::recipe {
 
 struct ConferencePalette {
-    MaterialId wall, carpet, ceiling, wood, dark_wood, upholstery, metal, black, white, paper, glass, fabric,
-        lamp, blue, red, green, leaf, clay;
+    MaterialId wall, carpet, ceiling, wood, dark_wood, upholstery, metal, black, white, paper, glass,
+        daylight, fabric, lamp, blue, red, green, leaf, clay;
 
     explicit ConferencePalette(std::vector<Material>& materials);
 };

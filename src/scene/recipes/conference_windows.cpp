@@ -45,8 +45,9 @@ void conference_windows(Mesh& mesh, const ConferencePalette& p, Random& random) 
     for (const Opening& o : conference_window_openings()) {
         const float width = o.x1 - o.x0, height = o.y1 - o.y0;
         const Frame frame = wall * at({o.x0, o.y0, 0});
+        // The pane shines as bright as the day behind it; a pane that reflected would leave the room dark.
         add_quad(mesh, frame.point({0, 0, -0.25f}), frame.point({width, 0, -0.25f}),
-                 frame.point({width, height, -0.25f}), frame.point({0, height, -0.25f}), p.glass);
+                 frame.point({width, height, -0.25f}), frame.point({0, height, -0.25f}), p.daylight);
         for (const float x : {0.0f, width / 2, width}) {
             box(mesh, frame, {x - 0.03f, -0.02f, -0.24f}, {x + 0.03f, height + 0.02f, -0.19f}, p.metal);
         }

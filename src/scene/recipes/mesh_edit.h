@@ -4,20 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "scene/recipes/frame.h"
+#include "scene/recipes/palette.h"
 #include "scene/scene.h"
 
 namespace ctpbench::recipe {
-
-using MaterialId = std::uint32_t;
-
-inline MaterialId add_material(std::vector<Material>& materials, std::string name, Vec3 diffuse) {
-    materials.push_back({std::move(name), diffuse});
-    return static_cast<MaterialId>(materials.size() - 1);
-}
 
 inline std::uint32_t add_vertex(Mesh& mesh, Vec3 p) {
     mesh.positions.push_back(p);

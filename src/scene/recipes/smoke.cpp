@@ -24,15 +24,16 @@ void stool(Mesh& mesh, const Frame& frame, MaterialId wood, MaterialId cover) {
 
 void build_smoke(Mesh& mesh, std::vector<Material>& materials, std::uint64_t seed) {
     reserve(mesh, smoke_triangles, smoke_triangles);
-    const MaterialId plaster = add_material(materials, "plaster", {0.76f, 0.72f, 0.64f});
-    const MaterialId floor = add_material(materials, "floor", {0.42f, 0.28f, 0.17f});
-    const MaterialId stone = add_material(materials, "stone", {0.62f, 0.60f, 0.56f});
-    const MaterialId wood = add_material(materials, "wood", {0.45f, 0.26f, 0.13f});
-    const MaterialId cover = add_material(materials, "cover", {0.50f, 0.10f, 0.10f});
-    const MaterialId curtain = add_material(materials, "curtain", {0.15f, 0.25f, 0.50f});
-    const MaterialId china = add_material(materials, "china", {0.86f, 0.86f, 0.84f});
-    const MaterialId clay = add_material(materials, "clay", {0.60f, 0.33f, 0.20f});
-    const MaterialId green = add_material(materials, "leaf", {0.16f, 0.40f, 0.10f});
+    const MaterialId plaster = add_matte(materials, "plaster", {0.76f, 0.72f, 0.64f});
+    const MaterialId floor = add_plastic(materials, "floor", {0.42f, 0.28f, 0.17f}, 0.06f, 60);
+    const MaterialId stone = add_matte(materials, "stone", {0.62f, 0.60f, 0.56f});
+    const MaterialId wood = add_plastic(materials, "wood", {0.45f, 0.26f, 0.13f}, 0.06f, 80);
+    const MaterialId cover = add_matte(materials, "cover", {0.50f, 0.10f, 0.10f});
+    const MaterialId curtain = add_matte(materials, "curtain", {0.15f, 0.25f, 0.50f});
+    const MaterialId lamp = add_emissive(materials, "lamp", {9.0f, 8.0f, 6.0f});
+    const MaterialId silver = add_mirror(materials, "silver", {0.88f, 0.87f, 0.85f});
+    const MaterialId clay = add_plastic(materials, "clay", {0.60f, 0.33f, 0.20f}, 0.04f, 30);
+    const MaterialId green = add_matte(materials, "leaf", {0.16f, 0.40f, 0.10f});
     Random random(seed, 0);
 
     add_quad(mesh, {-hx, 0, hz}, {hx, 0, hz}, {hx, 0, -hz}, {-hx, 0, -hz}, floor);
@@ -53,11 +54,11 @@ void build_smoke(Mesh& mesh, std::vector<Material>& materials, std::uint64_t see
     }
     constexpr ProfilePoint bowl[] = {
         {0, 0.002f}, {0.06f, 0.002f}, {0.15f, 0.09f}, {0.14f, 0.09f}, {0, 0.012f}};
-    lathe(mesh, at({0.1f, 0.75f, 0}), bowl, 32, china);
+    lathe(mesh, at({0.1f, 0.75f, 0}), bowl, 32, lamp);
     for (int i = 0; i < 4; ++i) {
         const auto [c, s] = circle(0.25 * i + random.between(0.1f, 0.15f));
         stool(mesh, at({1.05f * c, 0, 0.85f * s}, random.unit()), wood, cover);
-        torus(mesh, at({0.1f + 0.4f * c, 0.77f, 0.25f * s}), 0.05f, 0.015f, 16, 8, china);
+        torus(mesh, at({0.1f + 0.4f * c, 0.77f, 0.25f * s}), 0.05f, 0.015f, 16, 8, silver);
     }
     const MaterialId greens[] = {green};
     const auto stems = potted_stems(mesh, at({2.5f, 0, -0.3f}), 0.24f, 0.9f, 8, clay, green, random);

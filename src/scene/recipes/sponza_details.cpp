@@ -65,7 +65,7 @@ void lantern(Mesh& mesh, const Frame& frame, float chain, const SponzaPalette& p
                                      {0.3f, -0.2f}, {0.31f, -0.12f}, {0.28f, -0.12f}, {0.27f, -0.2f},
                                      {0.2f, -0.3f}, {0, -0.33f}};
     const Frame low = frame * at({0, -chain, 0});
-    lathe(mesh, low, bowl, 28, p.bronze);
+    lathe(mesh, low, bowl, 28, p.lantern);
     for (int i = 0; i < 3; ++i) {
         const auto [c, s] = circle(i / 3.0);
         const Vec3 rod[] = {low.point({0, 0.03f, 0}), low.point({0.29f * c, -0.13f, 0.29f * s})};

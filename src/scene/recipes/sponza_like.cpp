@@ -9,23 +9,24 @@
 namespace ctpbench::recipe {
 
 SponzaPalette::SponzaPalette(std::vector<Material>& materials)
-    : stone(add_material(materials, "stone", {0.68f, 0.62f, 0.52f})),
-      trim(add_material(materials, "trim", {0.75f, 0.70f, 0.61f})),
-      wall(add_material(materials, "plaster", {0.72f, 0.63f, 0.48f})),
-      brick(add_material(materials, "brick", {0.62f, 0.48f, 0.36f})),
-      floor_light(add_material(materials, "floor_light", {0.60f, 0.56f, 0.50f})),
-      floor_dark(add_material(materials, "floor_dark", {0.40f, 0.33f, 0.29f})),
-      grout(add_material(materials, "grout", {0.30f, 0.28f, 0.26f})),
-      vault(add_material(materials, "vault", {0.74f, 0.68f, 0.56f})),
-      tile(add_material(materials, "roof_tile", {0.62f, 0.30f, 0.18f})),
-      wood(add_material(materials, "wood", {0.32f, 0.20f, 0.11f})),
-      red(add_material(materials, "red_cloth", {0.55f, 0.06f, 0.05f})),
-      green(add_material(materials, "green_cloth", {0.08f, 0.34f, 0.12f})),
-      blue(add_material(materials, "blue_cloth", {0.07f, 0.13f, 0.45f})),
-      bronze(add_material(materials, "bronze", {0.35f, 0.27f, 0.14f})),
-      plaque(add_material(materials, "plaque", {0.58f, 0.54f, 0.46f})),
-      leaf(add_material(materials, "leaf", {0.17f, 0.36f, 0.10f})),
-      clay(add_material(materials, "clay", {0.62f, 0.36f, 0.22f})) {}
+    : stone(add_matte(materials, "stone", {0.68f, 0.62f, 0.52f})),
+      trim(add_matte(materials, "trim", {0.75f, 0.70f, 0.61f})),
+      wall(add_matte(materials, "plaster", {0.72f, 0.63f, 0.48f})),
+      brick(add_matte(materials, "brick", {0.62f, 0.48f, 0.36f})),
+      floor_light(add_plastic(materials, "floor_light", {0.60f, 0.56f, 0.50f}, 0.08f, 90)),
+      floor_dark(add_plastic(materials, "floor_dark", {0.40f, 0.33f, 0.29f}, 0.08f, 90)),
+      grout(add_matte(materials, "grout", {0.30f, 0.28f, 0.26f})),
+      vault(add_matte(materials, "vault", {0.74f, 0.68f, 0.56f})),
+      tile(add_matte(materials, "roof_tile", {0.62f, 0.30f, 0.18f})),
+      wood(add_plastic(materials, "wood", {0.32f, 0.20f, 0.11f}, 0.04f, 30)),
+      red(add_matte(materials, "red_cloth", {0.55f, 0.06f, 0.05f})),
+      green(add_matte(materials, "green_cloth", {0.08f, 0.34f, 0.12f})),
+      blue(add_matte(materials, "blue_cloth", {0.07f, 0.13f, 0.45f})),
+      bronze(add_mirror(materials, "bronze", {0.62f, 0.48f, 0.26f})),
+      lantern(add_emissive(materials, "lantern", {9.0f, 6.0f, 3.0f})),
+      plaque(add_matte(materials, "plaque", {0.58f, 0.54f, 0.46f})),
+      leaf(add_matte(materials, "leaf", {0.17f, 0.36f, 0.10f})),
+      clay(add_plastic(materials, "clay", {0.62f, 0.36f, 0.22f}, 0.05f, 40)) {}
 
 namespace {
 

@@ -8,7 +8,7 @@ namespace ctpbench::recipe {
 
 struct SponzaPalette {
     MaterialId stone, trim, wall, brick, floor_light, floor_dark, grout, vault, tile, wood, red, green, blue,
-        bronze, plaque, leaf, clay;
+        bronze, lantern, plaque, leaf, clay;
 
     explicit SponzaPalette(std::vector<Material>& materials);
 };
