@@ -97,6 +97,7 @@ TEST_F(MaterialLibrary, ReadsWhatTheTypesNeed) {
     EXPECT_EQ(look.exponent, 30.0f);
     EXPECT_EQ(look.emission, (Vec3{12, 0, 0}));
     EXPECT_EQ(look_of("Ns -5\n").exponent, 0.0f);
+    EXPECT_EQ(look_of("Ns 1e99\n").exponent, 0.0f);  // no float
 }
 
 TEST_F(MaterialLibrary, FindsImagesBesideTheirMtlFile) {
