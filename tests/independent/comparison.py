@@ -12,7 +12,7 @@ MOST_OUTLIERS = 0.02  # share of the blocks beyond 3 sigmas; chance makes it 0.0
 
 
 def two_sided_tail(t, freedom, steps=2000):
-    """P(|T| > t) of Student's T. In the angle atan(t / sqrt(freedom)) its density is cos to the power freedom - 1."""
+    """P(|T| > t) of Student's T. In atan(t / sqrt(freedom)) its density is cos to the power freedom - 1."""
     def integral(start):
         width = (numpy.pi / 2 - start) / steps
         angles = start + width * (numpy.arange(steps) + 0.5)
