@@ -37,8 +37,7 @@ struct GenerateKernel {
         const float y = 1.0f - 2.0f * (static_cast<float>(i / width) + r.v[1]) / static_cast<float>(height);
         const Vec3 d = normalize(camera.forward + x * camera.right + y * camera.up);
         rays.store(i, {camera.eye, d, std::numeric_limits<float>::infinity()});
-        pixels.throughput_r[i] = pixels.throughput_g[i] = pixels.throughput_b[i] = 1.0f;
-        pixels.radiance_r[i] = pixels.radiance_g[i] = pixels.radiance_b[i] = 0.0f;
+        pixels.start(i);
         index[i] = i;
     }
 };

@@ -2,9 +2,30 @@
 #pragma once
 
 #include "methods/bundles.h"
+#include "path_queues.h"
 #include "wavefront.h"
 
 namespace ctpbench {
+
+// What the stage leaves for the next one beside the hits: a key per position for those who sort, or paths
+// in queues. Of the two at most one is asked for; both tests are the same for every ray.
+struct HitKeys {
+    MaterialWords words{};
+    std::uint8_t* keys = nullptr;  // by position
+    PathQueues queues{};
+
+    CTP_INLINE void record(std::uint32_t position, std::uint32_t slot, const Hit& hit) const {
+        if (keys != nullptr)
+            keys[position] = static_cast<std::uint8_t>(key_of(hit));
+        else if (queues.slots != nullptr)
+            queues.append(key_of(hit), position, slot);
+    }
+
+private:
+    CTP_INLINE std::uint32_t key_of(const Hit& hit) const {
+        return hit.primitive == kNoPrimitive ? kMissKey : words.of(hit.primitive).type();
+    }
+};
 
 // What every pass reads and writes: `index[i]` is the slot of the i-th active ray.
 struct IntersectBuffers {
@@ -13,6 +34,9 @@ struct IntersectBuffers {
     const std::uint32_t* index;
     std::uint32_t count;
     float extent;  // largest absolute coordinate of the scene's bounds
+    HitKeys keys{};
+    const std::uint32_t* segment_counts = nullptr;  // null: the index is dense; else entries of each segment
+    std::uint32_t segments = 0;
 };
 
 // What a later pass does with the hits of the one before.
@@ -37,9 +61,10 @@ struct IntersectKernel {
         traversal.closest_hit(context, hit);
         if constexpr (pass == Pass::merge) {
             const Hit before = io.hits.load(slot);
-            if (before.primitive != kNoPrimitive && !before.accepts(hit.t, hit.primitive)) return;
+            if (before.primitive != kNoPrimitive && !before.accepts(hit.t, hit.primitive)) hit = before;
         }
         io.hits.store(slot, hit);
+        io.keys.record(i, slot, hit);
     }
 };
 

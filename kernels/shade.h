@@ -1,53 +1,89 @@
-// The shade stage: matte surfaces under a constant ambient light, as the paper's renderer has them. A
-// path that leaves the scene gathers the light and ends; one that hits continues in a cosine-distributed
-// direction, from an origin moved off the surface.
+// The shade stage: what happens to a path where it hit something, or nothing. How the material's type is
+// found is the strategy's (dispatch/shade/); everything else is here and the same for all.
 #pragma once
 
+#include "material_words.h"
+#include "materials/scattering.h"
 #include "methods/offset_waechter_binder.h"
-#include "rng.h"
 #include "surface.h"
 #include "wavefront.h"
 
 namespace ctpbench {
 
-// Albedo of a primitive: `material[triangle]` for triangles, one material for all spheres.
-struct MaterialView {
-    const Vec3* albedo;
-    const std::uint32_t* material;
-    std::uint32_t sphere_material;
-};
-
-struct ShadeKernel {
+struct ShadeBuffers {
     GeometryView geometry;
-    MaterialView materials;
+    SurfaceAttributes attributes;
+    MaterialWords words;
     RayColumns rays;
     HitColumns hits;
     PixelColumns pixels;
     const std::uint32_t* index;
+    std::uint8_t* fates;  // by position: what became of the path
     std::uint64_t seed;
     std::uint32_t sample, bounce;
-    float ambient;  // radiance that arrives from outside, every direction
+    Vec3 ambient;  // radiance that arrives from outside, from every direction
+};
+
+// A path that left the scene gathers what is outside, and ends.
+CTP_INLINE PathFate shade_miss(const ShadeBuffers& io, std::uint32_t slot) {
+    io.pixels.add_radiance(slot, io.ambient);
+    return PathFate::ended;
+}
+
+// `sample(word, point, random)` asks the material that the word names for a Scattering.
+template <class Sample>
+CTP_INLINE PathFate shade_hit(const ShadeBuffers& io, std::uint32_t slot, const Hit& hit, Sample&& sample) {
+    const Ray ray = io.rays.load(slot);
+    const Surface surface = surface_at(io.geometry, ray, hit);
+    const SurfacePoint point{surface.normal, -ray.direction, &io.attributes, hit.primitive, hit.u, hit.v};
+    const PathRandom random{io.seed, slot, io.sample, io.bounce};
+    const Scattering s = sample(io.words.of(hit.primitive), point, random);
+    constexpr float far = std::numeric_limits<float>::infinity();
+    if (s.event == ScatterEvent::scattered) {
+        io.pixels.scale_throughput(slot, s.weight);
+        io.rays.store(slot, {offset_origin(surface.point, surface.normal), s.direction, far});
+        return PathFate::goes_on;
+    }
+    if (s.event == ScatterEvent::passed) {
+        io.rays.store(slot, {offset_origin(surface.point, -surface.normal), ray.direction, far});
+        return PathFate::goes_on;
+    }
+    if (s.event == ScatterEvent::dropped) return PathFate::dropped;
+    io.pixels.add_radiance(slot, s.emitted);
+    return PathFate::ended;
+}
+
+// One kernel for paths of any kind. Table: trivially copyable, with sample(word, point, random) const.
+template <class Table>
+struct ShadeAnyKernel {
+    Table table;
+    ShadeBuffers io;
 
     CTP_HD void operator()(std::uint32_t i) const {
-        const std::uint32_t slot = index[i];
-        const Hit hit = hits.load(slot);
-        if (hit.primitive == kNoPrimitive) {
-            pixels.radiance_r[slot] += pixels.throughput_r[slot] * ambient;
-            pixels.radiance_g[slot] += pixels.throughput_g[slot] * ambient;
-            pixels.radiance_b[slot] += pixels.throughput_b[slot] * ambient;
-            return;
-        }
-        const Surface surface = surface_at(geometry, rays.load(slot), hit);
-        const Vec3 albedo =
-            materials.albedo[hit.primitive < geometry.first_sphere() ? materials.material[hit.primitive]
-                                                                     : materials.sphere_material];
-        pixels.throughput_r[slot] *= albedo.x;
-        pixels.throughput_g[slot] *= albedo.y;
-        pixels.throughput_b[slot] *= albedo.z;
-        const Random4 r = random4(seed, slot, sample, bounce, Dimension::direction);
-        rays.store(
-            slot, {offset_origin(surface.point, surface.normal),
-                   cosine_direction(surface.normal, r.v[0], r.v[1]), std::numeric_limits<float>::infinity()});
+        const std::uint32_t slot = io.index[i];
+        const Hit hit = io.hits.load(slot);
+        const PathFate fate =
+            hit.primitive == kNoPrimitive
+                ? shade_miss(io, slot)
+                : shade_hit(io, slot, hit,
+                            [&](MaterialWord word, const SurfacePoint& point, const PathRandom& random) {
+                                return table.sample(word, point, random);
+                            });
+        io.fates[i] = static_cast<std::uint8_t>(fate);
+    }
+};
+
+// The materials of one type, by their number.
+template <class T>
+struct TypedMaterials {
+    const T* elements;
+    std::uint32_t first;  // number of the first
+
+    CTP_INLINE PathFate shade(const ShadeBuffers& io, std::uint32_t slot) const {
+        return shade_hit(io, slot, io.hits.load(slot),
+                         [&](MaterialWord word, const SurfacePoint& point, const PathRandom& random) {
+                             return elements[word.number() - first].sample(point, random);
+                         });
     }
 };
 

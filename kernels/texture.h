@@ -19,11 +19,11 @@ struct Texel {
     std::uint16_t r, g, b, a;
 };
 
-// Where a texture's texels are in the arena: rows of `width`, from the bottom (v = 0) up. No texels: no
+// Where a texture's texels are in the arena: rows of `width`, from the bottom (v = 0) up. All zero: no
 // texture.
 struct Texture {
-    std::uint32_t first = 0;
-    std::uint16_t width = 0, height = 0;
+    std::uint32_t first;
+    std::uint16_t width, height;
 
     CTP_INLINE bool exists() const { return width != 0; }
 };

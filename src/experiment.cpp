@@ -4,31 +4,26 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <optional>
 #include <set>
 
-#include "base/interrupt.h"
-#include "kernels/methods/bundles.h"
-#include "measure/contest.h"
-#include "measure/lineup.h"
+#include "contests.h"
 #include "oracle/embree.h"
 #include "report/console.h"
 #include "report/figures.h"
+#include "report/frame_tables.h"
+#include "report/image.h"
 #include "report/meta.h"
-#include "report/progress.h"
-#include "report/rows.h"
 #include "report/summary.h"
 #include "report/tables.h"
+#include "run_context.h"
 #include "wavefront/forest.h"
-#include "wavefront/paths.h"
+#include "wavefront/shader.h"
 
 namespace ctpbench {
 namespace {
 
 // Shares of a workload's time, for the progress line.
-constexpr double kScene = 0.03, kTrees = 0.30, kOracle = 0.40, kFrame = 0.45, kVerified = 0.55;
-
-struct Interrupted {};
+constexpr double kScene = 0.03, kTrees = 0.30;
 
 std::string run_id_of(const Config& config) {
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -46,15 +41,15 @@ public:
           id_(run_id_of(config)),
           folder_(options.out.empty() ? std::filesystem::path("results") / id_ : options.out),
           backend_(static_cast<int>(config.threads)),
-          progress_(options.quiet) {
-        create_output_folder(folder_);
-        rows_.emplace(folder_, id_, config.experiment, backend_.threads());
+          progress_(options.quiet),
+          rows_(prepared(folder_, config), id_, config.experiment, backend_.threads()),
+          context_{config_, folder_, backend_, progress_, rows_, results_, options.quiet} {
         write_meta("running");
     }
 
     ExitCode run(const std::vector<WorkloadCells>& workloads) {
         if (config_.measure && embree_version().empty())
-            note(
+            context_.note(
                 "this program was built without Embree: hits are compared among contenders, but no oracle "
                 "checks them");
         ExitCode code = ExitCode::ok;
@@ -79,14 +74,11 @@ public:
     }
 
 private:
-    void note(const std::string& text) {
-        if (std::find(results_.notices.begin(), results_.notices.end(), text) != results_.notices.end())
-            return;
-        results_.notices.push_back(text);
-        if (!options_.quiet) progress_.note(text);
-    }
-    void stop_if_interrupted() const {
-        if (interrupted()) throw Interrupted{};
+    // Before anything is measured: whether what will be measured can be written.
+    static const std::filesystem::path& prepared(const std::filesystem::path& folder, const Config& config) {
+        create_output_folder(folder);
+        if (config.images) require_image_output(folder / "image.exr");
+        return folder;
     }
     void write_meta(const std::string& state) {
         write_file(folder_ / "meta.json",
@@ -101,6 +93,11 @@ private:
                 write_file(folder_ / "table3.csv", table3_csv(results_));
                 write_file(folder_ / "table3.md", table3_markdown(results_));
             }
+            if (table == "table1") {
+                write_file(folder_ / "table1.csv", table1_csv(results_));
+                write_file(folder_ / "table1.md", table1_markdown(results_));
+            }
+            if (table == "figure4") write_file(folder_ / "figure4.csv", figure4_csv(config_, results_));
         }
     }
 
@@ -115,7 +112,7 @@ private:
         request.seed = config_.seed;
         Notices notices;
         Scene scene = load_scene(request, notices);
-        for (const std::string& n : notices) note(n);
+        for (const std::string& n : notices) context_.note(n);
         return scene;
     }
 
@@ -127,10 +124,10 @@ private:
                 if (s.name == name) kinds.insert(s.tree);
         };
         for (const Contender& c : cells.contenders) need(c.strategy);
-        if (config_.measure)
-            need(config_.reference);
-        else
-            kinds = {TreeKind::mixed, TreeKind::per_type};
+        const bool intersects = std::any_of(cells.contenders.begin(), cells.contenders.end(),
+                                            [](const Contender& c) { return !c.renders(); });
+        if (intersects) need(config_.reference);
+        if (!config_.measure) kinds = {TreeKind::mixed, TreeKind::per_type};
 
         SbvhSettings settings;
         for (const BuilderInfo& b : tree_builders())
@@ -172,61 +169,16 @@ private:
         if (!config_.measure) return;
 
         const SceneView view(scene);
-        const LayoutInput input = forest.layout_input(view.geometry());
-        Lineup lineup(cells.workload, scene, input, backend_.threads(), results_,
-                      [&](const std::string& what) { progress_.step(what, kOracle); });
-        const bool have_embree = !embree_version().empty();
-        const Intersector* oracle = have_embree ? &lineup.get(kYardstick, own_way) : nullptr;
+        const LayoutInput layout = forest.layout_input(view.geometry());
+        Lineup lineup(cells.workload, scene, layout, backend_.threads(), results_,
+                      [&](const std::string& what) { progress_.step(what, kTrees); });
+        const Intersector* oracle = embree_version().empty() ? nullptr : &lineup.get(kYardstick, own_way);
         stop_if_interrupted();
-
-        progress_.step("tracing the reference frame", kOracle);
-        std::vector<Batch> batches;
-        trace_paths(
-            backend_, view, scene.camera, lineup.get(config_.reference, Watertight::name),
-            {config_.width, config_.height, config_.bounces, config_.seed},
-            [&](std::uint32_t bounce, RayColumns rays, const std::uint32_t* index, std::uint32_t active) {
-                stop_if_interrupted();
-                batches.push_back(record_batch(bounce, rays, index, active, config_.batch_rays));
-            });
-
-        Contest contest(backend_, view.geometry(), batches, oracle, config_.oracle_rays);
-        std::vector<Entrant> entrants;
-        for (const Contender& c : cells.contenders) {
-            stop_if_interrupted();
-            const bool yardstick = c.methods == own_way;
-            if (yardstick && !have_embree) {
-                note(c.label() + ": left out, this program was built without Embree");
-                continue;
-            }
-            CellResult cell;
-            cell.workload = cells.workload, cell.contender = c;
-            cell.scene_source = source, cell.triangles = scene.mesh.triangles.size();
-            bool exact = false;
-            for (const MethodsInfo& m : method_bundles())
-                if (m.name == c.methods) exact = m.exact;
-            entrants.push_back({results_.cells.size(),
-                                &lineup.get(c.strategy, c.methods),
-                                c.restart_carries_t,
-                                exact,
-                                !yardstick,
-                                {}});
-            progress_.step("checking " + c.label(),
-                           kFrame + (kVerified - kFrame) * static_cast<double>(entrants.size()) /
-                                        static_cast<double>(cells.contenders.size()));
-            const std::vector<Row> rows = contest.verify(entrants.back(), cell);
-            if (!cell.valid) note(cells.workload.name() + "/" + c.label() + ": rejected: " + cell.reason);
-            results_.cells.push_back(std::move(cell));
-            if (!results_.cells.back().valid) rows_->append(results_, rows);
-        }
-        in_results.sphere_hit_share = contest.sphere_hit_share();
-
-        for (std::uint32_t round = 0; round < config_.rounds; ++round) {
-            progress_.step("round " + std::to_string(round + 1) + " of " + std::to_string(config_.rounds),
-                           kVerified + (1.0 - kVerified) * round / config_.rounds);
-            const std::vector<Row> rows = contest.round(round, entrants, results_, interrupted);
-            rows_->append(results_, rows);
-            stop_if_interrupted();
-        }
+        std::vector<Contender> intersecting, rendering;
+        for (const Contender& c : cells.contenders) (c.renders() ? rendering : intersecting).push_back(c);
+        const ContestInput input{cells.workload, scene, view, lineup, oracle, in_results};
+        if (!intersecting.empty()) run_intersect_contest(context_, input, intersecting);
+        if (!rendering.empty()) run_frame_contest(context_, input, rendering);
     }
 
     const Config& config_;
@@ -235,8 +187,9 @@ private:
     std::filesystem::path folder_;
     CpuBackend backend_;
     Progress progress_;
-    std::optional<RowsFile> rows_;
     Results results_;
+    RowsFile rows_;
+    RunContext context_;
     std::string triangles_of_;
     std::shared_ptr<const Tree> triangles_;
 };
@@ -248,6 +201,7 @@ KnownNames known_names() {
     for (const StrategyInfo& s : intersect_strategies()) names.strategies.push_back(s.name);
     for (const EmbreeContender& e : embree_contenders()) names.yardsticks.push_back(e.name);
     for (const MethodsInfo& m : method_bundles()) names.methods.push_back(m.name);
+    names.shades = shade_strategies();
     for (const BuilderInfo& b : tree_builders()) names.builders.push_back(b.name);
     names.traversals = {"single"};
     return names;

@@ -8,7 +8,7 @@
 #include "build_info.h"
 #include "config/command_line.h"
 #include "experiment.h"
-#include "picture.h"
+#include "render.h"
 
 namespace ctpbench {
 namespace {
@@ -30,31 +30,11 @@ void list(const CommandLine& line) {
     print_names("scenes", scene_names(scene_search_path(line.scene_dirs)));
     print_names("strategies", names.strategies);
     print_names("yardsticks", names.yardsticks);
+    print_names("shade strategies", names.shades);
     print_names("traversals", names.traversals);
     print_names("methods", names.methods);
     print_names("builders", names.builders);
     print_names("backends", names.backends);
-}
-
-void draw(const CommandLine& line) {
-    SceneRequest request;
-    request.name = line.scene;
-    request.choice = line.scenes;
-    request.scene_dirs = line.scene_dirs;
-    if (line.spheres > 0) request.spheres = line.spheres;
-    request.seed = line.seed;
-    Notices notices;
-    const Scene scene = load_scene(request, notices);
-    if (!line.quiet) {
-        for (const std::string& n : notices) std::fprintf(stderr, "%s\n", n.c_str());
-        std::printf("%s: %zu triangles (%s), %zu spheres, %zu materials\n", scene.name.c_str(),
-                    scene.mesh.triangles.size(), scene.source == SceneSource::mesh ? "mesh" : "stand-in",
-                    scene.spheres.size(), scene.materials.size());
-    }
-    CpuBackend backend(static_cast<int>(line.threads.value_or(0)));
-    PictureSettings settings;
-    settings.width = line.width, settings.height = line.height;
-    draw_scene(backend, scene, settings, line.image);
 }
 
 ExitCode run(const CommandLine& line, const std::string& command) {
@@ -86,9 +66,8 @@ ExitCode perform(int argc, char** argv) {
         case CommandLine::Action::list:
             list(line);
             break;
-        case CommandLine::Action::render_scene:
-            draw(line);
-            break;
+        case CommandLine::Action::render:
+            return render(line);
         case CommandLine::Action::run:
         case CommandLine::Action::dry_run:
             return run(line, joined(argc, argv));

@@ -68,17 +68,24 @@ struct Restart {
     template <class ForEach>
     static void intersect(const Layout& layout, const IntersectBuffers& io, bool carry_t,
                           ForEach&& for_each) {
+        int last = -1;
+        for_each_type(Primitives<Methods>{}, [&](auto tag) {
+            using T = typename decltype(tag)::type;
+            if (layout.template has<T>()) last = index_of<T, Primitives<Methods>>;
+        });
         bool first = true;
         for_each_type(Primitives<Methods>{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
             if (!layout.template has<T>()) return;
             const View<T> view = layout.template view<T>();
+            IntersectBuffers pass = io;
+            if (index_of<T, Primitives<Methods>> != last) pass.keys = {};  // hits are not final yet
             if (first)
-                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::first>{view, io});
+                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::first>{view, pass});
             else if (carry_t)
-                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::carry>{view, io});
+                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::carry>{view, pass});
             else
-                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::merge>{view, io});
+                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::merge>{view, pass});
             first = false;
         });
     }

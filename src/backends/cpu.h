@@ -34,6 +34,20 @@ public:
         });
     }
 
+    // Calls kernel(s size + i) for each segment s and i in [0, counts[s]); a segment goes to one thread, in
+    // order.
+    template <class Kernel>
+    void for_each_in_segments(std::uint32_t segments, std::uint32_t size, const std::uint32_t* counts,
+                              const Kernel& kernel) {
+        for_each(
+            segments,
+            [=](std::uint32_t segment) {
+                const std::uint32_t begin = segment * size, end = begin + counts[segment];
+                for (std::uint32_t i = begin; i < end; ++i) kernel(i);
+            },
+            1);
+    }
+
     // Runs f inside the arena, for work that oneTBB spreads by itself (the tree builder).
     template <class F>
     decltype(auto) execute(F&& f) {

@@ -20,13 +20,19 @@ struct Axes {
     std::vector<bool> restart_carries_t;
     std::vector<std::string> traversal;
     std::vector<std::string> methods;
+    std::vector<std::string> shade;  // no_shade: intersect alone is measured
 
     bool operator==(const Axes&) const = default;
 };
 
+// The value of the shade axis with which nothing is shaded: recorded rays are intersected. With any other,
+// whole frames are rendered.
+inline constexpr const char* no_shade = "none";
+
 // What an axis has that the config does not mention.
 inline Axes default_axes() {
-    return {{"smoke"}, {1000}, {0.03}, {"quality"}, {"cpu"}, {"ctp"}, {true}, {"single"}, {"watertight"}};
+    return {{"smoke"}, {1000}, {0.03},     {"quality"},    {"cpu"},
+            {"ctp"},   {true}, {"single"}, {"watertight"}, {no_shade}};
 }
 
 // Whether the axis belongs to what is traced, not to who traces it.
@@ -46,6 +52,7 @@ void for_each_axis(AxesOrConst& axes, F&& f) {
     f("restart_carries_t", axes.restart_carries_t);
     f("traversal", axes.traversal);
     f("methods", axes.methods);
+    f("shade", axes.shade);
 }
 
 }  // namespace ctpbench

@@ -35,6 +35,7 @@ private:
                                                  : axis_ == "traversal" ? known_.traversals
                                                  : axis_ == "methods"   ? known_.methods
                                                  : axis_ == "builder"   ? known_.builders
+                                                 : axis_ == "shade"     ? known_.all_shades()
                                                                         : known_.backends;
         if (std::find(choices.begin(), choices.end(), name) != choices.end()) return true;
         element.error(unknown_name(axis_, name, choices));

@@ -26,7 +26,8 @@ bool is_restart(const Cell& cell) { return cell.contender && cell.contender->str
 bool is_yardstick(const Cell& cell) { return cell.contender && cell.contender->methods == own_way; }
 
 std::string strategy_of(const Contender& contender) {
-    return contender.strategy + (contender.restart_carries_t ? "" : "_fresh_t");
+    return contender.strategy + (contender.restart_carries_t ? "" : "_fresh_t") +
+           (contender.renders() ? "+" + contender.shade : "");
 }
 
 template <class T>
@@ -64,9 +65,12 @@ std::vector<Contender> contenders_of(const Axes& axes, const KnownNames& known) 
             for (const bool carries_t : axes.restart_carries_t) {
                 for (const std::string& traversal : axes.traversal) {
                     for (const std::string& methods : axes.methods) {
-                        contenders.push_back({backend, strategy, strategy != "restart" || carries_t,
-                                              yardstick ? own_way : traversal,
-                                              yardstick ? own_way : methods});
+                        for (const std::string& shade : axes.shade) {
+                            if (yardstick && shade != no_shade) continue;  // it only intersects
+                            contenders.push_back({backend, strategy, strategy != "restart" || carries_t,
+                                                  yardstick ? own_way : traversal,
+                                                  yardstick ? own_way : methods, shade});
+                        }
                     }
                 }
             }
@@ -127,7 +131,8 @@ bool matches(const Cell& cell, const Axes& pattern) {
            allows_if(measured, pattern.strategy, c.strategy) &&
            allows_if(is_restart(cell), pattern.restart_carries_t, c.restart_carries_t) &&
            allows_if(measured && !is_yardstick(cell), pattern.traversal, c.traversal) &&
-           allows_if(measured && !is_yardstick(cell), pattern.methods, c.methods);
+           allows_if(measured && !is_yardstick(cell), pattern.methods, c.methods) &&
+           allows_if(measured, pattern.shade, c.shade);
 }
 
 std::vector<Cell> expand(const Config& config, const KnownNames& known) {

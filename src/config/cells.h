@@ -30,9 +30,14 @@ struct Contender {
     bool restart_carries_t = true;  // means nothing unless the strategy is restart
     std::string traversal;          // own_way for a yardstick
     std::string methods;            // own_way for a yardstick
+    std::string shade = no_shade;
+
+    // Whether whole frames are measured rather than the intersection of recorded rays.
+    bool renders() const { return shade != no_shade; }
 
     // Short and unique within a workload: the strategy (`restart_fresh_t` for a restart whose second pass
-    // starts without the first one's hit), then `/x` for each axis that has not its default.
+    // starts without the first one's hit), `+shade` if it renders, then `/x` for each axis that has not its
+    // default.
     std::string label() const;
     bool operator==(const Contender&) const = default;
 };
@@ -44,7 +49,7 @@ struct Cell {
     Workload workload;
     std::optional<Contender> contender;  // none if the config measures nothing
 
-    // `conference/1000/cpu/ctp/single/watertight`
+    // `conference/1000/cpu/ctp/single/watertight`, `conference/0/cpu/restart+sort/single/watertight`
     std::string name() const;
     bool operator==(const Cell&) const = default;
 };

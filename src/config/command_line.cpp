@@ -17,7 +17,7 @@ Examples:
   ctpbench --config configs/smoke.json --out results/smoke
   ctpbench --config configs/table3.json --filter conference/1000/ --rounds 5
   ctpbench --config configs/table3.json --set /matrix/spheres=1000 --dry-run
-  ctpbench scene conference --spheres 1000 --image conference.png
+  ctpbench render conference --spheres 1000 --samples 64 --image conference.png
 
 Exit codes:
   0 ok   1 defect of the program   2 command line, config or scene file   3 scene missing
@@ -58,9 +58,9 @@ public:
         app_.require_subcommand(0, 1);
         add_shared_options();
         run_->fallthrough();
-        scene_->fallthrough();
+        render_->fallthrough();
         add_run_options();
-        add_scene_options();
+        add_render_options();
     }
 
     CommandLine parse(int argc, const char* const* argv) {
@@ -68,7 +68,7 @@ public:
             app_.parse(argc, argv);
         } catch (const CLI::CallForHelp&) {
             line_.action = CommandLine::Action::help;
-            line_.help_text = scene_->parsed() ? scene_->help("ctpbench") : app_.help();
+            line_.help_text = render_->parsed() ? render_->help("ctpbench") : app_.help();
             return line_;
         } catch (const CLI::CallForVersion&) {
             line_.action = CommandLine::Action::version;
@@ -80,8 +80,8 @@ public:
         }
         line_.scenes = scene_preferences.at(scenes_);
         line_.scene_dirs.assign(scene_dirs_.begin(), scene_dirs_.end());
-        if (scene_->parsed()) {
-            finish_scene();
+        if (render_->parsed()) {
+            finish_render();
         } else {
             finish_run();
         }
@@ -127,28 +127,37 @@ private:
         run_only(app_.add_flag("--list", list_, "Show the names that a config may use and stop"));
     }
 
-    void add_scene_options() {
-        scene_->add_option("name", line_.scene, "Scene to render")->type_name("")->required();
-        scene_->add_option("--image", line_.image, "Image to write")->type_name("PNG")->required();
+    void add_render_options() {
+        render_->add_option("name", line_.scene, "Scene to render")->type_name("")->required();
+        render_
+            ->add_option("--image", line_.image,
+                         "Image to write: linear light in an EXR file, exposed and in sRGB in others")
+            ->type_name("FILE")
+            ->required();
         const auto number = [this](const char* name, std::uint32_t& value, const char* help,
                                    std::uint32_t low, std::uint32_t high) {
-            scene_->add_option(name, value, help)
+            render_->add_option(name, value, help)
                 ->type_name("N")
                 ->check(whole_number(low, high))
                 ->capture_default_str();
         };
         number("--width", line_.width, "Pixels", 1, max_image_side);
         number("--height", line_.height, "Pixels", 1, max_image_side);
+        number("--samples", line_.samples, "Paths per pixel", 1, max_rounds);
+        number("--bounces", line_.bounces, "Bounces of a path", 1, max_bounces);
         number("--spheres", line_.spheres, "Spheres to scatter", 0, max_spheres);
-        scene_->footer(
+        render_->add_option("--exposure", line_.exposure, "Factor on the image, in place of the scene's")
+            ->type_name("X")
+            ->check(CLI::PositiveNumber);
+        render_->footer(
             "Takes --scene-dir, --scenes, --threads, --seed and --quiet too; see ctpbench --help.");
     }
 
-    void finish_scene() {
-        line_.action = CommandLine::Action::render_scene;
+    void finish_render() {
+        line_.action = CommandLine::Action::render;
         for (const CLI::Option* option : run_only_) {
             if (option->count() > 0) {
-                refuse(option->get_name() + " means nothing to ctpbench scene; see ctpbench scene --help");
+                refuse(option->get_name() + " means nothing to ctpbench render; see ctpbench render --help");
             }
         }
     }
@@ -177,8 +186,8 @@ private:
     }
 
     [[noreturn]] void refuse_unknown(const std::string& argument) const {
-        std::vector<std::string> known = {"run", "scene"};
-        for (const CLI::App* app : {&app_, static_cast<const CLI::App*>(scene_)}) {
+        std::vector<std::string> known = {"run", "render"};
+        for (const CLI::App* app : {&app_, static_cast<const CLI::App*>(render_)}) {
             for (const CLI::Option* option : app->get_options()) known.push_back(option->get_name());
         }
         if (std::find(known.begin(), known.end(), argument) != known.end()) {
@@ -198,10 +207,9 @@ private:
     bool list_ = false;
     std::vector<const CLI::Option*> run_only_;
 
-    CLI::App app_{"Measures how a ray tracer's inner loop should branch on the type of a primitive.",
-                  "ctpbench"};
+    CLI::App app_{"Measures how a ray tracer's inner loops should branch on type.", "ctpbench"};
     CLI::App* run_ = app_.add_subcommand("run", "Run an experiment; implied if no subcommand is named");
-    CLI::App* scene_ = app_.add_subcommand("scene", "Render one scene into an image");
+    CLI::App* render_ = app_.add_subcommand("render", "Render one scene into an image");
 };
 
 }  // namespace

@@ -15,9 +15,9 @@ namespace ctpbench {
 struct CommandLine {
     enum class Action {
         run,
-        dry_run,       // show the cells and stop
-        list,          // show the names that a config may use and stop
-        render_scene,  // draw one scene into an image
+        dry_run,  // show the cells and stop
+        list,     // show the names that a config may use and stop
+        render,   // render one scene into an image
         version,
         help,  // print help_text
     };
@@ -37,12 +37,15 @@ struct CommandLine {
     std::string filter;
     std::vector<ConfigEdit> edits;  // --set in the order given, then --threads, --rounds and --seed
 
-    // render_scene
+    // render
     std::string scene;
     std::filesystem::path image;
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     std::uint32_t spheres = 0;
+    std::uint32_t samples = 64;  // per pixel
+    std::uint32_t bounces = 10;
+    std::optional<float> exposure;  // none: the scene's
 };
 
 // Throws Error(usage) with the problem and a hint.

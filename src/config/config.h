@@ -17,6 +17,7 @@ inline constexpr int config_schema_version = 1;
 inline constexpr std::uint32_t max_image_side = 16384;
 inline constexpr std::uint32_t max_spheres = 50'000'000;
 inline constexpr std::uint32_t max_threads = 1024;
+inline constexpr std::uint32_t max_bounces = 100;
 inline constexpr std::uint32_t max_rounds = 10'000;
 
 struct Config {
@@ -34,10 +35,12 @@ struct Config {
     std::uint32_t rounds = 11;   // times that each contender is measured
     std::uint64_t seed = 1;
     std::uint32_t threads = 0;          // 0: all that the machine allows
-    std::string reference = "ctp";      // strategy that records the rays and that ratios refer to
+    std::string reference = "ctp";      // strategy (of frames: shade strategy) that ratios refer to; the
+                                        // strategy also records the rays
     std::uint32_t batch_rays = 131072;  // rays timed of each bounce; 0: all
     std::uint32_t oracle_rays = 20000;  // rays of each bounce that the oracle checks
     std::vector<std::string> tables;    // of the paper, to be written beside the rows
+    bool images = false;                // whether what frames accumulated is written as EXR and PNG
 
     bool operator==(const Config&) const = default;
 };
@@ -49,11 +52,14 @@ struct KnownNames {
     std::vector<std::string> traversals;
     std::vector<std::string> methods;
     std::vector<std::string> builders;
+    std::vector<std::string> shades;
     std::vector<std::string> backends = {"cpu"};
-    std::vector<std::string> tree_tables = {"table2"};   // need trees only
-    std::vector<std::string> speed_tables = {"table3"};  // need measurements
+    std::vector<std::string> tree_tables = {"table2"};              // need trees only
+    std::vector<std::string> speed_tables = {"table3"};             // need measurements of intersect
+    std::vector<std::string> frame_tables = {"table1", "figure4"};  // need rendered frames
 
     std::vector<std::string> all_strategies() const;
+    std::vector<std::string> all_shades() const;
     std::vector<std::string> all_tables() const;
 };
 

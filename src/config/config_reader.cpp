@@ -15,6 +15,11 @@ bool is_among(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
 constexpr double max_rays = 1u << 28;
 constexpr double max_cells = 100'000;
 
@@ -40,22 +45,22 @@ void read_header(const JsonObject& root, Config& config) {
 void read_settings(const JsonObject& root, Config& config) {
     root.get("width", config.width, range(1, max_image_side));
     root.get("height", config.height, range(1, max_image_side));
-    root.get("bounces", config.bounces, range(1, 100));
+    root.get("bounces", config.bounces, range(1, max_bounces));
     root.get("rounds", config.rounds, range(1, max_rounds));
     root.get("seed", config.seed);
     root.get("threads", config.threads, range(0, max_threads));
     root.get("batch_rays", config.batch_rays, range(0, max_rays));
     root.get("oracle_rays", config.oracle_rays, range(1, max_rays));
+    root.get("images", config.images);
 }
 
 void read_tables(const JsonObject& root, const KnownNames& known, Config& config) {
     const std::vector<std::string> possible = config.measure ? known.all_tables() : known.tree_tables;
     const JsonValue written = root.value("tables");
-    if (!written.present()) config.tables = possible;
     for (const JsonValue& element : written.list()) {
         std::string name;
         if (!element.read(name)) continue;
-        if (!config.measure && is_among(known.speed_tables, name)) {
+        if (!config.measure && !is_among(known.tree_tables, name) && is_among(known.all_tables(), name)) {
             element.error("needs measurements, but \"measure\" is false; change one of the two");
         } else if (!is_among(possible, name)) {
             element.error(unknown_name("table", name, possible));
@@ -78,8 +83,25 @@ bool is_small(const Axes& axes, const JsonValue& place) {
     return false;
 }
 
-// What only the whole matrix can tell.
-void check_cells(const JsonObject& root, const KnownNames& known, const Config& config) {
+// Ratios need someone to refer to, in the contest of intersections and in that of frames.
+void check_reference(const JsonObject& root, const std::vector<Cell>& cells, const std::string& reference) {
+    for (const bool renders : {false, true}) {
+        const auto takes_part = [&](const Cell& cell) { return cell.contender->renders() == renders; };
+        const auto is_reference = [&](const Cell& cell) {
+            return takes_part(cell) &&
+                   (renders ? cell.contender->shade : cell.contender->strategy) == reference;
+        };
+        if (std::any_of(cells.begin(), cells.end(), takes_part) &&
+            std::none_of(cells.begin(), cells.end(), is_reference)) {
+            root.value("reference")
+                .error("\"" + reference + "\" is not among the strategies measured; add it to /matrix/" +
+                       (renders ? "shade" : "strategy") + " or refer to another");
+        }
+    }
+}
+
+// What only the whole matrix can tell: the default tables too.
+void check_cells(const JsonObject& root, const KnownNames& known, Config& config) {
     if (!is_small(config.matrix, root.value("matrix"))) return;
     Config without_include = config;
     without_include.include.clear();
@@ -99,24 +121,33 @@ void check_cells(const JsonObject& root, const KnownNames& known, const Config& 
         root.value("exclude").error("leaves nothing of the matrix; exclude less");
         return;
     }
-    const auto is_reference = [&](const Cell& cell) { return cell.contender->strategy == config.reference; };
-    if (config.measure && std::none_of(cells.begin(), cells.end(), is_reference)) {
-        root.value("reference")
-            .error("\"" + config.reference +
-                   "\" is not among the strategies measured; add it to "
-                   "/matrix/strategy or refer to another");
+    if (config.measure) check_reference(root, cells, config.reference);
+    const auto any = [&](bool renders) {
+        return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
+            return cell.contender && cell.contender->renders() == renders;
+        });
+    };
+    if (!root.has("tables")) {
+        config.tables = known.tree_tables;
+        if (any(false)) config.tables = joined(config.tables, known.speed_tables);
+        if (any(true)) config.tables = joined(config.tables, known.frame_tables);
     }
-}
-
-std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
+    if (any(true)) return;
+    constexpr const char* remedy = "needs rendered frames; name shade strategies in /matrix/shade";
+    if (config.images) root.error("images", remedy);
+    for (const JsonValue& element : root.list("tables")) {
+        std::string table;
+        if (element.read(table) && is_among(known.frame_tables, table)) element.error(remedy);
+    }
 }
 
 }  // namespace
 
 std::vector<std::string> KnownNames::all_strategies() const { return joined(strategies, yardsticks); }
-std::vector<std::string> KnownNames::all_tables() const { return joined(tree_tables, speed_tables); }
+std::vector<std::string> KnownNames::all_shades() const { return joined({no_shade}, shades); }
+std::vector<std::string> KnownNames::all_tables() const {
+    return joined(joined(tree_tables, speed_tables), frame_tables);
+}
 
 Config read_config(JsonDocument document, const KnownNames& known) {
     JsonReader reader(std::move(document));
@@ -137,8 +168,11 @@ Config read_config(JsonDocument document, const KnownNames& known) {
         read_axes(element.object(), config.measure, known, config.include.emplace_back(default_axes()));
     }
     const JsonValue reference = root.value("reference");
-    if (reference.read(config.reference) && !is_among(known.all_strategies(), config.reference)) {
-        reference.error(unknown_name("strategy", config.reference, known.all_strategies()));
+    std::vector<std::string> contenders = known.all_strategies();
+    for (const std::string& shade : known.shades)
+        if (!is_among(contenders, shade)) contenders.push_back(shade);
+    if (reference.read(config.reference) && !is_among(contenders, config.reference)) {
+        reference.error(unknown_name("strategy", config.reference, contenders));
     }
     if (!reader.failed()) check_cells(root, known, config);
     reader.finish();

@@ -39,7 +39,8 @@ nlohmann::json to_json(const Config& config) {
             {"reference", config.reference},
             {"batch_rays", config.batch_rays},
             {"oracle_rays", config.oracle_rays},
-            {"tables", config.tables}};
+            {"tables", config.tables},
+            {"images", config.images}};
 }
 
 }  // namespace ctpbench

@@ -1,34 +1,16 @@
 #include "measure/contest.h"
 
-#include "measure/clock.h"
+#include "base/clock.h"
 #include "measure/rounds.h"
 
 namespace ctpbench {
 
 Contest::Contest(CpuBackend& backend, const GeometryView& geometry, std::vector<Batch>& batches,
                  const Intersector* oracle, std::uint32_t oracle_rays)
-    : backend_(backend), geometry_(geometry), batches_(batches), oracle_(oracle), oracle_rays_(oracle_rays) {
-    if (oracle_ == nullptr) return;
-    for (Batch& batch : batches_) {
-        HitStorage& hits = oracle_hits_.emplace_back();
-        oracle_->intersect(backend_, buffers(batch, hits), true);
-    }
-}
-
-IntersectBuffers Contest::buffers(Batch& batch, HitStorage& hits) const {
-    hits.resize(batch.rays.size());
-    return {batch.rays.view(), hits.view(), batch.index.data(), static_cast<std::uint32_t>(batch.rays.size()),
-            geometry_.extent};
-}
-
-Verdict Contest::judge_hits(std::size_t batch, std::uint64_t hash) {
-    for (const Judged& j : judged_)
-        if (j.batch == batch && j.hash == hash) return j.verdict;
-    const Verdict verdict =
-        judge(batches_[batch], hits_.view(), oracle_hits_[batch].view(), geometry_, oracle_rays_);
-    judged_.push_back({batch, hash, verdict});
-    return verdict;
-}
+    : backend_(backend),
+      geometry_(geometry),
+      batches_(batches),
+      judge_(backend, geometry, oracle, oracle_rays) {}
 
 std::vector<Row> Contest::verify(Entrant& entrant, CellResult& cell) {
     std::vector<Row> rows;
@@ -36,7 +18,7 @@ std::vector<Row> Contest::verify(Entrant& entrant, CellResult& cell) {
     std::size_t differing = 0;
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         Batch& batch = batches_[b];
-        entrant.intersector->intersect(backend_, buffers(batch, hits_), entrant.carry_t);
+        entrant.intersector->intersect(backend_, batch_buffers(batch, hits_, geometry_), entrant.carry_t);
         const std::uint64_t hash = hits_.hash();
         entrant.hashes.push_back(hash);
         if (sets_reference) {
@@ -49,12 +31,11 @@ std::vector<Row> Contest::verify(Entrant& entrant, CellResult& cell) {
             }
         }
         if (entrant.exact && hash != expected_[b]) ++differing;
-        if (entrant.judged && oracle_ != nullptr) cell.verdict += judge_hits(b, hash);
+        if (entrant.judged && judge_.can_judge()) cell.verdict += judge_.judge_hits(b, batch, hits_, hash);
         rows.push_back({entrant.cell, "intersect", batch.bounce, 0, batch.active,
                         static_cast<std::uint32_t>(batch.rays.size()), 0.0, hash});
-        cell.rays += batch.rays.size();
     }
-    cell.checked = oracle_ != nullptr;
+    cell.checked = judge_.can_judge();
     cell.valid = true;
     if (differing > 0) {
         cell.valid = false;
@@ -71,15 +52,15 @@ std::vector<Row> Contest::round(std::uint32_t number, std::vector<Entrant>& entr
                                 const std::function<bool()>& stop) {
     std::vector<Row> rows;
     std::vector<double> frame_seconds(entrants.size(), 0.0);
-    std::uint64_t frame_rays = 0;
-    for (const Batch& batch : batches_) frame_rays += batch.active;
+    std::uint64_t frame_rays = 0, timed_rays = 0;
+    for (const Batch& batch : batches_) frame_rays += batch.active, timed_rays += batch.rays.size();
     for (std::size_t e : round_order(entrants.size(), number)) {
         const Entrant& entrant = entrants[e];
         if (!results.cells[entrant.cell].valid) continue;
         for (std::size_t b = 0; b < batches_.size(); ++b) {
             if (stop()) return {};
             Batch& batch = batches_[b];
-            const IntersectBuffers io = buffers(batch, hits_);
+            const IntersectBuffers io = batch_buffers(batch, hits_, geometry_);
             const double seconds =
                 seconds_of([&] { entrant.intersector->intersect(backend_, io, entrant.carry_t); });
             const std::uint64_t hash = hits_.hash();
@@ -97,8 +78,9 @@ std::vector<Row> Contest::round(std::uint32_t number, std::vector<Entrant>& entr
     }
     for (std::size_t e = 0; e < entrants.size(); ++e)
         if (frame_seconds[e] > 0.0)
-            results.cells[entrants[e].cell].mrays.push_back(static_cast<double>(frame_rays) /
-                                                            frame_seconds[e] * 1e-6);
+            results.cells[entrants[e].cell].add("intersect", timed_rays,
+                                                static_cast<double>(frame_rays) / frame_seconds[e] * 1e-6,
+                                                frame_seconds[e]);
     return rows;
 }
 

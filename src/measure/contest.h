@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "measure/hit_judge.h"
 #include "measure/results.h"
 #include "wavefront/batch.h"
 #include "wavefront/intersector.h"
@@ -31,7 +32,7 @@ public:
     // whose `exact` is set are compared with the first of them. Returns one row per batch, without a time.
     std::vector<Row> verify(Entrant& entrant, CellResult& cell);
 
-    // One round over all valid entrants; appends to each cell's `mrays`. Stops early, keeping nothing of the
+    // One round over all valid entrants; appends to each cell's series. Stops early, keeping nothing of the
     // round, when `stop` says so.
     std::vector<Row> round(std::uint32_t number, std::vector<Entrant>& entrants, Results& results,
                            const std::function<bool()>& stop);
@@ -40,23 +41,12 @@ public:
     double sphere_hit_share() const;
 
 private:
-    IntersectBuffers buffers(Batch& batch, HitStorage& hits) const;
-    Verdict judge_hits(std::size_t batch, std::uint64_t hash);
-
     CpuBackend& backend_;
     GeometryView geometry_;
     std::vector<Batch>& batches_;
-    const Intersector* oracle_;
-    std::uint32_t oracle_rays_;
+    HitJudge judge_;
     HitStorage hits_;
-    std::vector<HitStorage> oracle_hits_;  // by batch
     std::vector<std::uint64_t> expected_;  // hashes of the first exact entrant
-    struct Judged {
-        std::size_t batch;
-        std::uint64_t hash;
-        Verdict verdict;
-    };
-    std::vector<Judged> judged_;  // equal hits need one verdict
     std::size_t sphere_hits_ = 0, hits_seen_ = 0;
 };
 

@@ -1,8 +1,10 @@
 // What a run measured, in the shape that tables are made from.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/cells.h"
@@ -19,9 +21,20 @@ struct Row {
     std::uint32_t active_rays = 0;  // paths active at this bounce in the whole frame
     std::uint32_t rays = 0;         // rays timed
     double seconds = 0.0;
-    std::uint64_t hit_hash = 0;
+    std::uint64_t hit_hash = 0;    // of an intersect contest; 0 otherwise
+    std::uint32_t dropped = 0;     // samples of a direction in which nothing is reflected; they count as 0
+    std::uint32_t clamped = 0;     // samples that were no number, infinite or negative; they count as 0
+    std::uint64_t image_hash = 0;  // of the image so far, in rows of the blend kernel
 
     double mrays_per_second() const { return seconds > 0.0 ? rays / seconds * 1e-6 : 0.0; }
+};
+
+// What was measured of one kernel of a contender, by round.
+struct KernelSeries {
+    std::string kernel;
+    std::uint64_t rays = 0;       // timed in a round
+    std::vector<double> mrays;    // Mrays/s over all bounces
+    std::vector<double> seconds;  // of the frame
 };
 
 // One contender on one workload.
@@ -34,8 +47,27 @@ struct CellResult {
     bool valid = false;
     std::string reason;  // why it is not valid
     Verdict verdict;
-    std::vector<double> mrays;  // Mrays/s of the frame, by round
-    std::uint64_t rays = 0;     // timed in a round
+    std::vector<KernelSeries> kernels;                   // in the order of the pipeline
+    std::uint64_t image_hash = 0;                        // of a frame contest, after the last whole round
+    std::uint32_t samples = 0;                           // per pixel in that image
+    std::uint64_t shaded = 0, dropped = 0, clamped = 0;  // over all rounds
+
+    double dropped_per_million() const {
+        return shaded == 0 ? 0.0 : 1e6 * static_cast<double>(dropped) / static_cast<double>(shaded);
+    }
+
+    const KernelSeries* find(std::string_view kernel) const {
+        for (const KernelSeries& k : kernels)
+            if (k.kernel == kernel) return &k;
+        return nullptr;
+    }
+    // Appends a round.
+    void add(std::string_view kernel, std::uint64_t rays, double mrays, double seconds) {
+        auto k = std::find_if(kernels.begin(), kernels.end(),
+                              [&](const KernelSeries& s) { return s.kernel == kernel; });
+        if (k == kernels.end()) k = kernels.insert(k, {std::string(kernel), rays, {}, {}});
+        k->mrays.push_back(mrays), k->seconds.push_back(seconds);
+    }
 
     // For tables: "true", "false", or "unchecked" where there was no oracle to ask.
     const char* validity() const { return !valid ? "false" : checked ? "true" : "unchecked"; }

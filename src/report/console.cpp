@@ -31,13 +31,14 @@ std::string table_text(const Config& config, const Results& results) {
                   (std::string("/ ") + kYardstick).c_str(), "hits");
     out += line;
     for (const CellResult& c : results.cells) {
-        const Estimate speed = throughput_of(&c);
+        const std::string_view kernel = main_kernel(c);
+        const Estimate speed = throughput_of(&c, kernel);
         const std::string interval =
             std::isnan(speed.median) ? "" : fixed(speed.lo, 3) + " .. " + fixed(speed.hi, 3);
         std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-20s %s\n", c.workload.name().c_str(),
                       c.contender.label().c_str(), fixed(speed.median, 3).c_str(), interval.c_str(),
-                      with_interval(ratio_of(&c, results.find(c.workload, config.reference))).c_str(),
-                      with_interval(ratio_of(&c, results.find(c.workload, kYardstick))).c_str(),
+                      with_interval(ratio_of(&c, reference_of(c, results, config.reference), kernel)).c_str(),
+                      with_interval(ratio_of(&c, results.find(c.workload, kYardstick), kernel)).c_str(),
                       !c.valid    ? "REJECTED"
                       : c.checked ? "checked"
                                   : "unchecked");

@@ -9,6 +9,21 @@ namespace ctpbench {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr Estimate kNone{kNaN, kNaN, kNaN};
+
+// Null if there are none, or none that may be shown.
+const std::vector<double>* samples_of(const CellResult* cell, std::string_view kernel,
+                                      std::vector<double> KernelSeries::*quantity) {
+    if (cell == nullptr || !cell->valid) return nullptr;
+    const KernelSeries* series = cell->find(kernel);
+    return series == nullptr || series->mrays.empty() ? nullptr : &(series->*quantity);
+}
+
+Estimate paired(const std::vector<double>* a, const std::vector<double>* b) {
+    if (a == nullptr || b == nullptr) return kNone;
+    const auto rounds = static_cast<std::ptrdiff_t>(std::min(a->size(), b->size()));
+    return estimate_paired_ratio({a->begin(), a->begin() + rounds}, {b->begin(), b->begin() + rounds});
+}
 
 }  // namespace
 
@@ -24,17 +39,37 @@ std::string with_interval(const Estimate& e) {
                                 : fixed(e.median, 2) + " [" + fixed(e.lo, 2) + ", " + fixed(e.hi, 2) + "]";
 }
 
-Estimate throughput_of(const CellResult* cell) {
-    if (cell == nullptr || !cell->valid || cell->mrays.empty()) return {kNaN, kNaN, kNaN};
-    return estimate_median(cell->mrays);
+std::string_view main_kernel(const CellResult& cell) {
+    return cell.contender.renders() ? "shade" : "intersect";
 }
 
-Estimate ratio_of(const CellResult* a, const CellResult* b) {
-    if (a == nullptr || b == nullptr || !a->valid || !b->valid) return {kNaN, kNaN, kNaN};
-    const std::size_t rounds = std::min(a->mrays.size(), b->mrays.size());
-    if (rounds == 0) return {kNaN, kNaN, kNaN};
-    return estimate_paired_ratio({a->mrays.begin(), a->mrays.begin() + static_cast<std::ptrdiff_t>(rounds)},
-                                 {b->mrays.begin(), b->mrays.begin() + static_cast<std::ptrdiff_t>(rounds)});
+const CellResult* reference_of(const CellResult& cell, const Results& results, const std::string& reference) {
+    if (!cell.contender.renders()) return results.find(cell.workload, reference);
+    Contender like = cell.contender;
+    like.shade = reference;
+    return results.find(cell.workload, like.label());
+}
+
+Estimate throughput_of(const CellResult* cell, std::string_view kernel) {
+    const auto* samples = samples_of(cell, kernel, &KernelSeries::mrays);
+    return samples == nullptr ? kNone : estimate_median(*samples);
+}
+
+Estimate seconds_of_kernel(const CellResult* cell, std::string_view kernel) {
+    const auto* samples = samples_of(cell, kernel, &KernelSeries::seconds);
+    return samples == nullptr ? kNone : estimate_median(*samples);
+}
+
+Estimate ratio_of(const CellResult* a, const CellResult* b, std::string_view kernel) {
+    return paired(samples_of(a, kernel, &KernelSeries::mrays), samples_of(b, kernel, &KernelSeries::mrays));
+}
+
+Estimate kernel_ratio_of(const CellResult* cell, std::string_view a, std::string_view b) {
+    return paired(samples_of(cell, a, &KernelSeries::mrays), samples_of(cell, b, &KernelSeries::mrays));
+}
+
+Estimate seconds_ratio_of(const CellResult* cell, std::string_view a, std::string_view b) {
+    return paired(samples_of(cell, a, &KernelSeries::seconds), samples_of(cell, b, &KernelSeries::seconds));
 }
 
 }  // namespace ctpbench

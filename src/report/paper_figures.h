@@ -18,6 +18,18 @@ inline constexpr Table3Row table3[] = {
     {"conference", 10000, 10.2, 9.46, 8.72},  {"conference", 100000, 7.39, 6.67, 6.51},
 };
 
+// Table 1, CPU columns: kernels of a bounce, Mrays/s, 1024x1024 pixels; 0: not applicable.
+struct Table1Row {
+    std::string_view scene, kernel;
+    double ctp, oop, sort;
+};
+inline constexpr Table1Row table1[] = {
+    {"conference", "intersect", 12.9, 12.8, 12.5}, {"conference", "sort", 0, 0, 45.4},
+    {"conference", "shade", 31.6, 30.4, 22.6},     {"conference", "compact", 389, 395, 453},
+    {"sponza", "intersect", 6.55, 6.53, 6.32},     {"sponza", "sort", 0, 0, 41.6},
+    {"sponza", "shade", 32.3, 29.5, 22.9},         {"sponza", "compact", 542, 581, 685},
+};
+
 // Table 2: nodes, in thousands, of the trees over triangles and spheres; 0 spheres: triangles alone.
 struct Table2Row {
     std::string_view scene;

@@ -1,43 +1,71 @@
 #include "report/summary.h"
 
+#include "base/hash.h"
 #include "report/csv.h"
 #include "report/figures.h"
 
 namespace ctpbench {
 
 std::string summary_csv(const Config& config, const Results& results) {
-    std::string out =
-        csv_line({"scene",    "scene_source",   "triangles",          "spheres",      "sphere_radius",
-                  "builder",  "backend",        "strategy",           "kernel",       "rays",
-                  "rounds",   "median_mrays_s", "lo_mrays_s",         "hi_mrays_s",   "ratio_to_reference",
-                  "ratio_lo", "ratio_hi",       "ratio_to_yardstick", "yardstick_lo", "yardstick_hi",
-                  "valid",    "mismatch_rate"});
+    std::string out = csv_line({"scene",
+                                "scene_source",
+                                "triangles",
+                                "spheres",
+                                "sphere_radius",
+                                "builder",
+                                "backend",
+                                "strategy",
+                                "shade",
+                                "kernel",
+                                "rays",
+                                "rounds",
+                                "median_mrays_s",
+                                "lo_mrays_s",
+                                "hi_mrays_s",
+                                "ratio_to_reference",
+                                "ratio_lo",
+                                "ratio_hi",
+                                "ratio_to_yardstick",
+                                "yardstick_lo",
+                                "yardstick_hi",
+                                "image_hash",
+                                "samples",
+                                "valid",
+                                "mismatch_rate"});
     for (const CellResult& c : results.cells) {
-        const Estimate speed = throughput_of(&c);
-        const Estimate ratio = ratio_of(&c, results.find(c.workload, config.reference));
-        const Estimate yardstick = ratio_of(&c, results.find(c.workload, kYardstick));
-        out += csv_line({c.workload.scene,
-                         c.scene_source,
-                         std::to_string(c.triangles),
-                         std::to_string(c.workload.spheres),
-                         csv_number(c.workload.sphere_radius),
-                         c.workload.builder,
-                         c.contender.backend,
-                         c.contender.label(),
-                         "intersect",
-                         std::to_string(c.rays),
-                         std::to_string(c.mrays.size()),
-                         csv_number(speed.median),
-                         csv_number(speed.lo),
-                         csv_number(speed.hi),
-                         csv_number(ratio.median),
-                         csv_number(ratio.lo),
-                         csv_number(ratio.hi),
-                         csv_number(yardstick.median),
-                         csv_number(yardstick.lo),
-                         csv_number(yardstick.hi),
-                         c.validity(),
-                         c.checked ? csv_number(c.verdict.mismatch_rate()) : ""});
+        const CellResult* reference = reference_of(c, results, config.reference);
+        const auto line = [&](std::string_view kernel, std::uint64_t rays, std::size_t rounds) {
+            const Estimate speed = throughput_of(&c, kernel);
+            const Estimate ratio = ratio_of(&c, reference, kernel);
+            const Estimate yardstick = ratio_of(&c, results.find(c.workload, kYardstick), kernel);
+            out += csv_line({c.workload.scene,
+                             c.scene_source,
+                             std::to_string(c.triangles),
+                             std::to_string(c.workload.spheres),
+                             csv_number(c.workload.sphere_radius),
+                             c.workload.builder,
+                             c.contender.backend,
+                             c.contender.label(),
+                             c.contender.shade,
+                             std::string(kernel),
+                             std::to_string(rays),
+                             std::to_string(rounds),
+                             csv_number(speed.median),
+                             csv_number(speed.lo),
+                             csv_number(speed.hi),
+                             csv_number(ratio.median),
+                             csv_number(ratio.lo),
+                             csv_number(ratio.hi),
+                             csv_number(yardstick.median),
+                             csv_number(yardstick.lo),
+                             csv_number(yardstick.hi),
+                             c.image_hash != 0 ? hex(c.image_hash) : "",
+                             c.samples != 0 ? std::to_string(c.samples) : "",
+                             c.validity(),
+                             c.checked ? csv_number(c.verdict.mismatch_rate()) : ""});
+        };
+        if (c.kernels.empty()) line(main_kernel(c), 0, 0);
+        for (const KernelSeries& k : c.kernels) line(k.kernel, k.rays, k.mrays.size());
     }
     return out;
 }

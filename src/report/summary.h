@@ -8,7 +8,8 @@
 
 namespace ctpbench {
 
-// One line per cell: median throughput with its interval, ratios to the reference and to the yardstick.
+// One line per cell and kernel: median throughput with its interval, ratios to the reference and to the
+// yardstick.
 std::string summary_csv(const Config& config, const Results& results);
 
 // One line per tree.

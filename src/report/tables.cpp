@@ -15,12 +15,13 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// In order of first appearance, without repetition.
+// Of the cells that intersect only, in order of first appearance, without repetition.
 template <class T, class F>
 std::vector<T> distinct(const Results& results, F&& of) {
     std::vector<T> values;
     for (const CellResult& c : results.cells)
-        if (std::find(values.begin(), values.end(), of(c)) == values.end()) values.push_back(of(c));
+        if (!c.contender.renders() && std::find(values.begin(), values.end(), of(c)) == values.end())
+            values.push_back(of(c));
     return values;
 }
 
@@ -125,7 +126,7 @@ std::string table3_markdown(const Results& results) {
         };
         const CellResult* any = nullptr;
         for (const CellResult& c : results.cells)
-            if (any == nullptr && without_spheres(c.workload) == column) any = &c;
+            if (any == nullptr && !c.contender.renders() && without_spheres(c.workload) == column) any = &c;
         out += "\n## " + column.scene + " (" + any->scene_source + ", " + std::to_string(any->triangles) +
                " triangles" + dropped_text(results, column) + ", builder " + column.builder +
                ", sphere radius " + csv_number(column.sphere_radius) + " of the mean spacing)\n\n";

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/array.h"
 #include "kernels/box.h"
 #include "kernels/materials/description.h"
 #include "kernels/primitives/shapes.h"
@@ -50,7 +51,7 @@ struct Scene {
     std::vector<SphereShape> spheres;
     std::vector<Material> materials;  // never empty
     std::uint32_t sphere_material = 0;
-    std::vector<Texel> texels;       // of all textures
+    Array<Texel> texels;             // of all textures
     Vec3 ambient{1.0f, 1.0f, 1.0f};  // radiance that arrives from outside, from every direction
     Camera camera;
     float exposure = 1.0f;              // by which pictures for the eye are multiplied

@@ -22,7 +22,7 @@ bool looks_at_textures(const Material& material) {
 
 class TextureLoader {
 public:
-    explicit TextureLoader(std::vector<Texel>& arena) : arena_(arena) {}
+    explicit TextureLoader(Array<Texel>& arena) : arena_(arena) {}
 
     // Each pair of files becomes one texture, however many materials share it.
     Texture load(const TextureFiles& files) {
@@ -71,7 +71,7 @@ private:
         return texture;
     }
 
-    std::vector<Texel>& arena_;
+    Array<Texel>& arena_;
     std::map<TextureFiles, Texture> textures_;
     std::set<fs::path> failed_;
     std::string first_failure_;

@@ -12,12 +12,16 @@ struct Batch {
     std::uint32_t bounce = 0;
     std::uint32_t active = 0;  // paths that were active in the pipeline; the batch may hold a share of them
     RayStorage rays;
-    std::vector<std::uint32_t> index;  // identity: the rays were gathered in the order of the index buffer
+    std::vector<std::uint32_t> index;  // identity: the rays were gathered in the order of the slots
+    std::vector<std::uint32_t> slots;  // where each ray was in the wavefront
 };
 
-// Copies at most `limit` rays (0: all). A share is taken in runs of 1024 neighbours in the index buffer at
+// Copies the rays in at most `limit` of the slots (0: all). A share is taken in runs of 1024 neighbours at
 // even distances, so that rays keep the coherence that they have in the whole.
-Batch record_batch(std::uint32_t bounce, RayColumns rays, const std::uint32_t* index, std::uint32_t active,
+Batch record_batch(std::uint32_t bounce, RayColumns rays, const std::vector<std::uint32_t>& slots,
                    std::uint32_t limit);
+
+// The hits of a batch's rays, from the same wavefront.
+HitStorage record_hits(const Batch& batch, HitColumns hits);
 
 }  // namespace ctpbench

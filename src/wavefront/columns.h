@@ -1,25 +1,34 @@
-// Host storage behind the wavefront's column views.
+// Host storage behind the wavefront's column views, in huge pages where the system grants them: a path's data
+// lie in some twenty columns.
 #pragma once
 
-#include <vector>
+#include <array>
+#include <cstdint>
 
+#include "kernels/array.h"
 #include "kernels/wavefront.h"
 
 namespace ctpbench {
 
-class RayStorage {
+// N columns of floats of one length.
+template <std::size_t N>
+class FloatColumns {
 public:
     void resize(std::size_t n) {
         for (auto& c : columns_) c.resize(n);
     }
     std::size_t size() const { return columns_[0].size(); }
-    RayColumns view() {
-        return {columns_[0].data(), columns_[1].data(), columns_[2].data(), columns_[3].data(),
-                columns_[4].data(), columns_[5].data(), columns_[6].data()};
-    }
 
-private:
-    std::vector<float> columns_[7];
+protected:
+    std::array<Array<float>, N> columns_;
+};
+
+class RayStorage : public FloatColumns<7> {
+public:
+    RayColumns view() {
+        auto& c = columns_;
+        return {c[0].data(), c[1].data(), c[2].data(), c[3].data(), c[4].data(), c[5].data(), c[6].data()};
+    }
 };
 
 class HitStorage {
@@ -31,23 +40,24 @@ public:
     std::uint64_t hash() const;
 
 private:
-    std::vector<float> t_;
-    std::vector<std::uint32_t> primitive_;
-    std::vector<float> u_, v_;
+    Array<float> t_;
+    Array<std::uint32_t> primitive_;
+    Array<float> u_, v_;
 };
 
-class PixelStorage {
+class PixelStorage : public FloatColumns<6> {
 public:
-    void resize(std::size_t n) {
-        for (auto& c : columns_) c.resize(n);
-    }
     PixelColumns view() {
-        return {columns_[0].data(), columns_[1].data(), columns_[2].data(),
-                columns_[3].data(), columns_[4].data(), columns_[5].data()};
+        auto& c = columns_;
+        return {c[0].data(), c[1].data(), c[2].data(), c[3].data(), c[4].data(), c[5].data()};
     }
+};
 
-private:
-    std::vector<float> columns_[6];
+class ImageStorage : public FloatColumns<3> {
+public:
+    ImageColumns view() { return {columns_[0].data(), columns_[1].data(), columns_[2].data()}; }
+    Vec3 at(std::size_t i) const { return {columns_[0][i], columns_[1][i], columns_[2][i]}; }
+    std::uint64_t hash() const;
 };
 
 }  // namespace ctpbench

@@ -13,7 +13,10 @@ public:
 
     void intersect(CpuBackend& backend, const IntersectBuffers& io, bool carry_t) const override {
         Strategy::intersect(layout_, io, carry_t, [&](std::uint32_t count, const auto& kernel) {
-            backend.for_each(count, kernel);
+            if (io.segment_counts == nullptr)
+                backend.for_each(count, kernel);
+            else
+                backend.for_each_in_segments(io.segments, kSegment, io.segment_counts, kernel);
         });
     }
     std::size_t bytes() const override { return layout_.bytes(); }

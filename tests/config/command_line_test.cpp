@@ -75,20 +75,24 @@ TEST(CommandLine, ReadsEveryRunOption) {
                                                "/seed=18446744073709551615 by --seed 18446744073709551615"}));
 }
 
-TEST(CommandLine, ReadsTheSceneSubcommand) {
+TEST(CommandLine, ReadsTheRenderSubcommand) {
     const CommandLine line =
-        parse({"scene", "conference", "--image", "i.png", "--width", "64", "--height", "32", "--spheres", "7",
-               "--scene-dir", "s", "--scenes", "real", "--seed", "3"});
-    EXPECT_EQ(line.action, Action::render_scene);
+        parse({"render",      "conference", "--image",   "i.png", "--width",   "64", "--height",   "32",
+               "--spheres",   "7",          "--samples", "5",     "--bounces", "4",  "--exposure", "1.5",
+               "--scene-dir", "s",          "--scenes",  "real",  "--seed",    "3"});
+    EXPECT_EQ(line.action, Action::render);
     EXPECT_EQ(line.scene, "conference");
     EXPECT_EQ(line.image, "i.png");
     EXPECT_EQ(line.width, 64u);
     EXPECT_EQ(line.height, 32u);
     EXPECT_EQ(line.spheres, 7u);
+    EXPECT_EQ(line.samples, 5u);
+    EXPECT_EQ(line.bounces, 4u);
+    EXPECT_EQ(line.exposure, 1.5f);
     EXPECT_EQ(line.scene_dirs, std::vector<std::filesystem::path>{"s"});
     EXPECT_EQ(line.scenes, SceneChoice::real);
     EXPECT_EQ(line.seed, 3u);
-    EXPECT_EQ(parse({"--scene-dir", "s", "scene", "conference", "--image", "i.png"}).scene, "conference");
+    EXPECT_EQ(parse({"--scene-dir", "s", "render", "conference", "--image", "i.png"}).scene, "conference");
 }
 
 TEST(CommandLine, OtherActions) {
@@ -97,10 +101,10 @@ TEST(CommandLine, OtherActions) {
     const CommandLine help = parse({"--help"});
     EXPECT_EQ(help.action, Action::help);
     for (const char* part :
-         {"--config", "--set", "--scene-dir", "Examples:", "Exit codes:", "130 interrupted", "scene"}) {
+         {"--config", "--set", "--scene-dir", "Examples:", "Exit codes:", "130 interrupted", "render"}) {
         EXPECT_NE(help.help_text.find(part), std::string::npos) << part << "\n" << help.help_text;
     }
-    EXPECT_NE(parse({"scene", "--help"}).help_text.find("--image"), std::string::npos);
+    EXPECT_NE(parse({"render", "--help"}).help_text.find("--image"), std::string::npos);
 }
 
 TEST(CommandLine, ErrorsHaveAHint) {
@@ -111,9 +115,9 @@ TEST(CommandLine, ErrorsHaveAHint) {
               "ctpbench: error: unknown argument --confg; did you mean --config?");
     EXPECT_EQ(error_of({"--config", "c.json", "--xyzzy"}),
               "ctpbench: error: unknown argument --xyzzy; see ctpbench --help");
-    EXPECT_EQ(error_of({"scnee", "x"}), "ctpbench: error: unknown argument scnee; did you mean scene?");
-    EXPECT_EQ(error_of({"scene", "x", "--image", "i.png", "--rounds", "3"}),
-              "ctpbench: error: --rounds means nothing to ctpbench scene; see ctpbench scene --help");
+    EXPECT_EQ(error_of({"redner", "x"}), "ctpbench: error: unknown argument redner; did you mean render?");
+    EXPECT_EQ(error_of({"render", "x", "--image", "i.png", "--rounds", "3"}),
+              "ctpbench: error: --rounds means nothing to ctpbench render; see ctpbench render --help");
     for (const std::vector<const char*>& wrong :
          std::vector<std::vector<const char*>>{{"--config"},
                                                {"--config", "c", "--rounds", "0"},
@@ -127,11 +131,11 @@ TEST(CommandLine, ErrorsHaveAHint) {
                                                {"--config", "c", "--set"},
                                                {"--config", "a", "--config", "b"},
                                                {"--config", "c", "--quiet=maybe"},
-                                               {"scene"},
-                                               {"scene", "x"},
-                                               {"scene", "x", "--image", "i", "--width", "0"},
-                                               {"scene", "x", "--image", "i", "--spheres", "-1"},
-                                               {"scene", "x", "--image", "i", "run"}}) {
+                                               {"render"},
+                                               {"render", "x"},
+                                               {"render", "x", "--image", "i", "--width", "0"},
+                                               {"render", "x", "--image", "i", "--spheres", "-1"},
+                                               {"render", "x", "--image", "i", "run"}}) {
         const std::string error = error_of(wrong);
         EXPECT_TRUE(error.starts_with("ctpbench: error: ")) << error << " " << wrong.back();
         EXPECT_NE(error.find("--help"), std::string::npos) << error;

@@ -51,9 +51,10 @@ TEST(Config, HasADefaultForEverythingButItsNameAndVersion) {
 TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
     const Config config = config_of(header + R"("matrix": {
         "scene": ["a", "b"], "spheres": 0, "sphere_radius": [0.01, 1], "builder": "paper", "backend": ["cpu"],
-        "strategy": ["oop", "ctp"], "restart_carries_t": [false, true], "traversal": "packet", "methods": "paper"
+        "strategy": ["oop", "ctp"], "restart_carries_t": [false, true], "traversal": "packet", "methods": "paper",
+        "shade": ["sort", "ctp"]
     }, "width": 1, "height": 16384, "bounces": 2, "rounds": 3, "seed": 18446744073709551615, "threads": 4,
-    "reference": "oop", "batch_rays": 0, "oracle_rays": 1, "tables": []})");
+    "reference": "ctp", "images": true, "batch_rays": 0, "oracle_rays": 1, "tables": []})");
     EXPECT_EQ(config.matrix, (Axes{{"a", "b"},
                                    {0},
                                    {0.01, 1.0},
@@ -62,10 +63,12 @@ TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
                                    {"oop", "ctp"},
                                    {false, true},
                                    {"packet"},
-                                   {"paper"}}));
+                                   {"paper"},
+                                   {"sort", "ctp"}}));
     EXPECT_EQ(config.height, 16384u);
     EXPECT_EQ(config.seed, 18'446'744'073'709'551'615u);
-    EXPECT_EQ(config.reference, "oop");
+    EXPECT_EQ(config.reference, "ctp");
+    EXPECT_TRUE(config.images);
     EXPECT_TRUE(config.tables.empty());
 }
 
@@ -74,7 +77,7 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         error_of("\"matrix\": {\"shperes\": 1,\n  \"spheres\": [1, -1, 50000001, 1],\n"
                  "  \"strategy\": [\"ctp\", \"opp\"], \"scene\": []},\n"
                  "\"rounds\": 0, \"widht\": 3, \"seed\": 1.5,\n"
-                 "\"reference\": \"cpt\", \"tables\": [\"table3\", \"table1\", \"table3\"]}"),
+                 "\"reference\": \"cpt\", \"tables\": [\"table3\", \"table9\", \"table3\"]}"),
         "t.json:2:12: error: /matrix/shperes: unknown key; did you mean \"spheres\"?\n"
         "t.json:3:18: error: /matrix/spheres/1: must be from 0 to 50000000, found -1\n"
         "t.json:3:22: error: /matrix/spheres/2: must be from 0 to 50000000, found 50000001\n"
@@ -88,9 +91,9 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         "t.json:5:34: error: /seed: expected an integer written without point or exponent, found 1.5\n"
         "t.json:6:14: error: /reference: unknown strategy \"cpt\"; did you mean \"ctp\"? choices: "
         "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
-        "\"embree_default\"\n"
-        "t.json:6:42: error: /tables/1: unknown table \"table1\"; did you mean \"table2\"? choices: "
-        "\"table2\", \"table3\"\n"
+        "\"embree_default\", \"sort\", \"sort_restored\", \"queues\"\n"
+        "t.json:6:42: error: /tables/1: unknown table \"table9\"; did you mean \"table2\"? choices: "
+        "\"table2\", \"table3\", \"table1\", \"figure4\"\n"
         "t.json:6:52: error: /tables/2: is here twice; remove one of the two");
 }
 
@@ -197,11 +200,38 @@ TEST(Config, AnyByteChangedNeverCrashes) {
     }
 }
 
+// Frames are measured beside intersections or instead of them; what needs them says so.
+TEST(Config, RendersWhereAShadeStrategyIsNamed) {
+    const Config both = config_of(header + R"("matrix": {"strategy": ["ctp", "embree_robust"],
+        "shade": ["none", "ctp", "sort"]}})");
+    EXPECT_EQ(both.tables, (std::vector<std::string>{"table2", "table3", "table1", "figure4"}));
+    std::vector<std::string> labels;
+    for (const Cell& cell : expand(both, test_names())) labels.push_back(cell.contender->label());
+    EXPECT_EQ(labels, (std::vector<std::string>{"ctp", "ctp+ctp", "ctp+sort", "embree_robust"}))
+        << "a yardstick only intersects";
+    const Config frames = config_of(header + R"("matrix": {"strategy": "restart", "shade": "ctp"}})");
+    EXPECT_EQ(frames.tables, (std::vector<std::string>{"table2", "table1", "figure4"}));
+    EXPECT_EQ(expand(frames, test_names())[0].name(), "smoke/1000/cpu/restart+ctp/single/watertight");
+
+    EXPECT_EQ(error_of("\"images\": true, \"tables\": [\"figure4\"]}"),
+              "t.json:2:11: error: /images: needs rendered frames; name shade strategies in /matrix/shade\n"
+              "t.json:2:28: error: /tables/0: needs rendered frames; name shade strategies in /matrix/shade");
+    EXPECT_EQ(error_of("\"matrix\": {\"strategy\": \"oop\", \"shade\": \"sort\"},\n\"reference\": \"oop\"}"),
+              "t.json:3:14: error: /reference: \"oop\" is not among the strategies measured; add it to "
+              "/matrix/shade or refer to another");
+    EXPECT_EQ(
+        error_of("\"matrix\": {\"shade\": \"srt\"}}"),
+        "t.json:2:21: error: /matrix/shade: unknown shade \"srt\"; did you mean \"sort\"? choices: \"none\", "
+        "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"sort\", \"sort_restored\", \"queues\"");
+}
+
 TEST(Config, EchoReadsBackTheSame) {
-    std::vector<Config> configs = {config_of(header + R"("matrix": {"strategy": ["ctp", "restart"],
+    std::vector<Config> configs = {
+        config_of(header + R"("matrix": {"strategy": ["ctp", "restart"],
         "spheres": [0, 7], "sphere_radius": [0.1, 0.3], "restart_carries_t": [false]},
         "exclude": [{"spheres": 0, "strategy": ["restart"]}], "include": [{"scene": "x"}, {"spheres": [1, 2]}],
-        "seed": 18446744073709551615, "tables": []})")};
+        "seed": 18446744073709551615, "tables": []})"),
+        config_of(header + R"("matrix": {"shade": ["none", "ctp"]}, "images": true})")};
     for (const auto& entry : std::filesystem::directory_iterator(shipped(""))) {
         configs.push_back(load_config(entry.path(), {}, test_names()));
     }
@@ -217,7 +247,8 @@ TEST(Config, EchoHasEveryDefault) {
     EXPECT_EQ(echo["width"], 8);
     EXPECT_EQ(echo["height"], 1024);
     EXPECT_EQ(echo["matrix"]["methods"], nlohmann::json::array({"watertight"}));
-    EXPECT_EQ(echo["matrix"].size(), 9u);
+    EXPECT_EQ(echo["matrix"]["shade"], nlohmann::json::array({"none"}));
+    EXPECT_EQ(echo["matrix"].size(), 10u);
 }
 
 TEST(Config, EditsApplyBeforeReading) {
@@ -248,10 +279,15 @@ TEST(Config, ShippedConfigsHaveTheirCells) {
     const auto cells = [](const std::string& name) {
         return expand(load_config(shipped(name), {}, test_names()), test_names()).size();
     };
-    EXPECT_EQ(cells("smoke.json"), 9u);           // 8 strategies, restart twice
+    EXPECT_EQ(cells("smoke.json"), 9u + 7);       // 8 strategies, restart twice; shade strategies
     EXPECT_EQ(cells("table2.json"), 2u * 4 * 2);  // scenes, sphere counts, builders
     EXPECT_EQ(cells("table3.json"), 2u * 3 * 9);
     EXPECT_EQ(cells("triangles.json"), 3u * 6);
+    EXPECT_EQ(cells("table1.json"), 2u * 7);
+    EXPECT_EQ(cells("reorder.json"), 3u);
+    EXPECT_EQ(cells("figure4.json"), 3u * 5);
+    EXPECT_EQ(cells("figure1.json"), 2u);
+    EXPECT_EQ(cells("figure3.json"), 2u);
 }
 
 }  // namespace

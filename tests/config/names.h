@@ -15,6 +15,7 @@ inline KnownNames test_names() {
     known.traversals = {"single", "packet"};
     known.methods = {"watertight", "paper"};
     known.builders = {"quality", "paper"};
+    known.shades = {"ctp", "std_variant", "oop", "oop_arena", "sort", "sort_restored", "queues"};
     return known;
 }
 

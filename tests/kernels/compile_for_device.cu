@@ -1,9 +1,10 @@
 // Instantiates the kernels' functors in device code: the headers are single source, and this keeps them so
 // on machines without a GPU. Compiled by scripts/check_headers where there is an nvcc; never run.
+#include "kernels/blend.h"
 #include "kernels/compact.h"
 #include "kernels/generate.h"
 #include "kernels/registry.h"
-#include "kernels/shade.h"
+#include "kernels/sort.h"
 
 namespace ctpbench {
 
@@ -22,13 +23,29 @@ void launch_strategies(const LayoutInput& input, const IntersectBuffers& io) {
     TypedLeaves<Methods>::intersect(typename TypedLeaves<Methods>::Layout(input), io, true, launch);
 }
 
+template <class Strategy>
+void launch_shade(const MaterialInput& materials, const ShadeBuffers& io, const ShadeWork& work) {
+    const typename Strategy::Layout layout(materials);
+    Strategy::shade(layout, io, work,
+                    [](std::uint32_t count, const auto& kernel, auto...) { run<<<1, 1>>>(kernel, count); });
+}
+
+void instantiate(const MaterialInput& materials, const ShadeBuffers& shading, const ShadeWork& work) {
+    launch_shade<ShadeCtp>(materials, shading, work);
+    launch_shade<ShadeStdVariant>(materials, shading, work);
+    launch_shade<ShadeSort>(materials, shading, work);
+    launch_shade<ShadeQueues>(materials, shading, work);
+}
+
 void instantiate(const LayoutInput& input, const IntersectBuffers& io) {
     launch_strategies<Watertight>(input, io);
     launch_strategies<PaperMethods>(input, io);
     run<<<1, 1>>>(GenerateKernel{}, 1);
-    run<<<1, 1>>>(ShadeKernel{}, 1);
+    run<<<1, 1>>>(BlendKernel{}, 1);
     run<<<1, 1>>>(CompactCountKernel{}, 1);
     run<<<1, 1>>>(CompactScatterKernel{}, 1);
+    run<<<1, 1>>>(SortCountKernel{}, 1);
+    run<<<1, 1>>>(SortScatterKernel{}, 1);
 }
 
 }  // namespace ctpbench

@@ -5,8 +5,7 @@
 
 #include "oracle/embree.h"
 #include "support.h"
-#include "wavefront/forest.h"
-#include "wavefront/paths.h"
+#include "wavefront/frames.h"
 
 namespace ctpbench {
 namespace {
@@ -33,24 +32,19 @@ private:
 
 class ContestTest : public testing::Test {
 protected:
-    ContestTest() : scene_(test::soup(3000, 100, 6)), view_(scene_), backend_(2) {
-        forest_ = build_forest(backend_, scene_, {TreeKind::mixed, TreeKind::per_type},
-                               SbvhSettings::quality(), nullptr, [](const std::string&, double) {});
-        ctp_ = make_intersector("ctp", "watertight", forest_.layout_input(view_.geometry()));
-        restart_ = make_intersector("restart", "watertight", forest_.layout_input(view_.geometry()));
+    ContestTest() : scene_(test::soup(3000, 100, 6)), stage_(scene_, 2) {
+        restart_ =
+            make_intersector("restart", "watertight", stage_.forest.layout_input(stage_.view.geometry()));
         if (!embree_version().empty()) oracle_ = make_embree(scene_, EmbreeMode::robust, 2);
-        Camera camera;
-        camera.eye = {0, 0, 2};
-        trace_paths(
-            backend_, view_, camera, *ctp_, {64, 64, 1, 1},
-            [&](std::uint32_t bounce, RayColumns rays, const std::uint32_t* index, std::uint32_t active) {
-                batches_.push_back(record_batch(bounce, rays, index, active, 2000));
-            });
+        test::render(stage_, test::looking_from({0, 0, 2}, {0, 0, 1}), {64, 64, 1, 1}, 1, "ctp",
+                     [&](const BounceView& view) {
+                         batches_.push_back(record_batch(view.bounce, view.rays, view.slots, 2000));
+                     });
     }
     CellResult verdict_on(const Intersector& intersector, bool exact = true) {
         Contest contest(backend_, view_.geometry(), batches_, oracle_.get(), 0);
         CellResult first, cell;
-        Entrant reference{0, ctp_.get(), true, true, true, {}};
+        Entrant reference{0, ctp_, true, true, true, {}};
         contest.verify(reference, first);
         EXPECT_TRUE(first.valid) << first.reason;
         Entrant entrant{0, &intersector, true, exact, true, {}};
@@ -61,10 +55,11 @@ protected:
     }
 
     Scene scene_;
-    SceneView view_;
-    CpuBackend backend_;
-    Forest forest_;
-    std::unique_ptr<Intersector> ctp_, restart_;
+    test::Stage stage_;
+    CpuBackend& backend_ = stage_.backend;
+    const SceneView& view_ = stage_.view;
+    const Intersector* ctp_ = stage_.intersector.get();
+    std::unique_ptr<Intersector> restart_;
     std::unique_ptr<EmbreeIntersector> oracle_;
     std::vector<Batch> batches_;
 };
@@ -95,8 +90,7 @@ TEST_F(ContestTest, NoticesHitsThatChangeBetweenRuns) {
     const Broken broken(*ctp_, 50, true);
     Results results;
     results.cells.resize(2);
-    std::vector<Entrant> entrants{{0, ctp_.get(), true, true, true, {}},
-                                  {1, &broken, true, false, false, {}}};
+    std::vector<Entrant> entrants{{0, ctp_, true, true, true, {}}, {1, &broken, true, false, false, {}}};
     for (Entrant& e : entrants) contest.verify(e, results.cells[e.cell]);
     results.cells[1].valid = true;
     contest.round(0, entrants, results, [] { return false; });
@@ -108,19 +102,18 @@ TEST_F(ContestTest, ARoundTimesEveryEntrantOnEveryBatch) {
     Contest contest(backend_, view_.geometry(), batches_, oracle_.get(), 0);
     Results results;
     results.cells.resize(2);
-    std::vector<Entrant> entrants{{0, ctp_.get(), true, true, true, {}},
-                                  {1, restart_.get(), true, true, true, {}}};
+    std::vector<Entrant> entrants{{0, ctp_, true, true, true, {}}, {1, restart_.get(), true, true, true, {}}};
     for (Entrant& e : entrants) contest.verify(e, results.cells[e.cell]);
     for (std::uint32_t round = 0; round < 3; ++round) {
         const std::vector<Row> rows = contest.round(round, entrants, results, [] { return false; });
         EXPECT_EQ(rows.size(), 2 * batches_.size());
         for (const Row& row : rows) EXPECT_GT(row.seconds, 0.0);
     }
-    EXPECT_EQ(results.cells[0].mrays.size(), 3u);
-    EXPECT_EQ(results.cells[1].mrays.size(), 3u);
+    EXPECT_EQ(results.cells[0].find("intersect")->mrays.size(), 3u);
+    EXPECT_EQ(results.cells[1].find("intersect")->mrays.size(), 3u);
     EXPECT_TRUE(contest.round(3, entrants, results, [] { return true; }).empty())
         << "a round cut short leaves nothing";
-    EXPECT_EQ(results.cells[0].mrays.size(), 3u);
+    EXPECT_EQ(results.cells[0].find("intersect")->mrays.size(), 3u);
 }
 
 }  // namespace

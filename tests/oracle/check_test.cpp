@@ -5,7 +5,7 @@
 
 #include "oracle/exact.h"
 #include "support.h"
-#include "wavefront/paths.h"
+#include "wavefront/scene_view.h"
 
 namespace ctpbench {
 namespace {

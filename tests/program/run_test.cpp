@@ -32,6 +32,7 @@ TEST_F(Run, LeavesRowsAndTables) {
     for (const auto& row : rows) {
         EXPECT_EQ(row.at("valid"), kValid);
         EXPECT_EQ(row.at("scene_source"), "stand-in");
+        if (row.at("shade") != "none") continue;
         EXPECT_GT(std::stod(row.at("throughput_mrays_s")), 0.0);
         EXPECT_NEAR(std::stod(row.at("rays")) / std::stod(row.at("time_ms")) * 1e-3,
                     std::stod(row.at("throughput_mrays_s")), 1e-3 * std::stod(row.at("throughput_mrays_s")));
@@ -90,17 +91,59 @@ TEST_F(Run, KeepsWhatWasMeasuredWhenInterrupted) {
     EXPECT_TRUE(std::filesystem::exists(folder_ / "r/summary.csv"));
 }
 
-TEST_F(Run, DrawsAScene) {
-    const Outcome outcome = run("scene smoke --spheres 20 --width 64 --height 48 --image $D/smoke.png");
+TEST_F(Run, RendersAScene) {
+    const Outcome outcome =
+        run("render smoke --spheres 20 --samples 3 --width 64 --height 48 --image $D/smoke.png");
     if (outcome.output.find("without OpenImageIO") != std::string::npos)
         GTEST_SKIP() << "built without OpenImageIO";
     EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
     EXPECT_NE(outcome.output.find("20 spheres"), std::string::npos) << outcome.output;
     // A picture with something in it does not compress to nothing.
     EXPECT_GT(std::filesystem::file_size(folder_ / "smoke.png"), 2000u);
-    const Outcome refused = run("scene smoke --width 8 --height 8 --image $D/no/such/folder.png");
+    const Outcome refused = run("render smoke --width 8 --height 8 --image $D/no/such/folder.png");
     EXPECT_EQ(refused.exit_code, 8) << refused.output;
     EXPECT_NE(refused.output.find("folder.png"), std::string::npos) << refused.output;
+}
+
+// Whole frames: every shade strategy gives the same image, and Table 1 and Figure 4 come of it.
+TEST_F(Run, ComparesShadeStrategies) {
+    const Outcome outcome = run(std::string("--out $D/r --filter restart+") + kSmall);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    std::map<std::string, std::set<std::string>> kernels, images;
+    for (const auto& row : read_csv(folder_ / "r/rows.csv")) {
+        EXPECT_EQ(row.at("valid"), kValid);
+        kernels[row.at("shade")].insert(row.at("kernel"));
+        if (row.at("kernel") == "blend") {
+            images[row.at("round")].insert(row.at("image_hash"));
+            EXPECT_EQ(row.at("clamped_samples"), "0");
+        }
+        EXPECT_EQ(row.at("dropped_samples").empty(), row.at("kernel") != "shade");
+    }
+    EXPECT_EQ(kernels.size(), 7u);
+    EXPECT_EQ(kernels.at("sort"),
+              (std::set<std::string>{"generate", "intersect", "copy", "sort", "shade", "compact", "blend"}));
+    EXPECT_EQ(kernels.at("queues").count("compact"), 0u);
+    EXPECT_EQ(images.size(), 2u);
+    for (const auto& [round, distinct] : images) EXPECT_EQ(distinct.size(), 1u) << round;
+    std::set<std::string> in_summary;
+    for (const auto& line : read_csv(folder_ / "r/summary.csv")) in_summary.insert(line.at("image_hash"));
+    EXPECT_EQ(in_summary, images.at("1"));
+
+    const auto table = read_csv(folder_ / "r/table1.csv");
+    ASSERT_EQ(table.size(), 4u);
+    EXPECT_EQ(table[1].at("kernel"), "sort");
+    EXPECT_EQ(table[1].at("smoke+200/cpu/ctp"), "n/a");
+    EXPECT_GT(std::stod(table[1].at("smoke+200/cpu/sort")), 0.0);
+    EXPECT_EQ(read_csv(folder_ / "r/figure4.csv").size(), 4u * 3 + 2 * 4 + 2);
+}
+
+TEST_F(Run, WritesWhatItsFramesAccumulated) {
+    const Outcome outcome = run(std::string("--out $D/r --set /images=true --filter restart+ctp") + kSmall);
+    if (outcome.output.find("without OpenImageIO") != std::string::npos)
+        GTEST_SKIP() << "built without OpenImageIO";
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_GT(std::filesystem::file_size(folder_ / "r/smoke-200.exr"), 2000u);
+    EXPECT_GT(std::filesystem::file_size(folder_ / "r/smoke-200.png"), 300u);
 }
 
 TEST_F(Run, DryRunListAndVersionMeasureNothing) {

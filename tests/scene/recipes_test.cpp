@@ -127,7 +127,9 @@ TEST_P(Recipes, MaterialsAreNamedAndDescribed) {
                 EXPECT_GT(look.specular[c], 0.0f) << m.name;
                 EXPECT_LT(look.specular[c], 1.0f) << m.name;
             }
-            if (look.type == material_type<Emissive>) EXPECT_GT(look.emission[c], 0.0f) << m.name;
+            if (look.type == material_type<Emissive>) {
+                EXPECT_GT(look.emission[c], 0.0f) << m.name;
+            }
         }
     }
 }

@@ -6,7 +6,7 @@
 #include "wavefront/columns.h"
 #include "wavefront/forest.h"
 #include "wavefront/intersector.h"
-#include "wavefront/paths.h"
+#include "wavefront/scene_view.h"
 
 namespace ctpbench {
 namespace {

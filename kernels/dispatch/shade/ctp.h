@@ -1,0 +1,29 @@
+// Compile-time polymorphism, the paper's contender: one kernel, materials in an array of variants.
+#pragma once
+
+#include "../../variant.h"
+#include "sum_type.h"
+
+namespace ctpbench {
+
+struct ShadeCtp {
+    static constexpr const char* name = "ctp";
+    static constexpr PathOrder order = PathOrder::as_traced;
+    using Element = Rebind<Variant, Materials>;
+
+    struct Visit {
+        template <class Visitor>
+        CTP_INLINE Scattering operator()(Visitor&& visitor, const Element& element) const {
+            return apply_visitor(visitor, element);
+        }
+    };
+    using Layout = SumTypeMaterials<Element, Visit>;
+
+    template <class ForEach>
+    static void shade(const Layout& layout, const ShadeBuffers& io, const ShadeWork& work,
+                      ForEach&& for_each) {
+        shade_in_one_kernel(layout.view(), io, work, for_each);
+    }
+};
+
+}  // namespace ctpbench

@@ -1,0 +1,48 @@
+// Runtime polymorphism: one kernel, materials behind base-class pointers, each a heap allocation of its own.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "../../material_object.h"
+#include "layout.h"
+
+namespace ctpbench {
+
+struct VirtualMaterials {
+    const MaterialBase* const* objects;
+
+    CTP_INLINE Scattering sample(MaterialWord word, const SurfacePoint& point,
+                                 const PathRandom& random) const {
+        return objects[word.number()]->sample(point, random);
+    }
+};
+
+struct ShadeOop {
+    static constexpr const char* name = "oop";
+    static constexpr PathOrder order = PathOrder::as_traced;
+
+    class Layout {
+    public:
+        explicit Layout(const MaterialInput& in) {
+            in.for_each([&](const auto& material) {
+                using T = std::remove_cvref_t<decltype(material)>;
+                objects_.push_back(std::make_unique<MaterialObject<T>>(material));
+                pointers_.push_back(objects_.back().get());
+            });
+        }
+        VirtualMaterials view() const { return {pointers_.data()}; }
+
+    private:
+        std::vector<std::unique_ptr<MaterialBase>> objects_;
+        Array<const MaterialBase*> pointers_;
+    };
+
+    template <class ForEach>
+    static void shade(const Layout& layout, const ShadeBuffers& io, const ShadeWork& work,
+                      ForEach&& for_each) {
+        shade_in_one_kernel(layout.view(), io, work, for_each);
+    }
+};
+
+}  // namespace ctpbench

@@ -1,0 +1,30 @@
+// The standard library's variant in place of the paper's.
+#pragma once
+
+#include <variant>
+
+#include "sum_type.h"
+
+namespace ctpbench {
+
+struct ShadeStdVariant {
+    static constexpr const char* name = "std_variant";
+    static constexpr PathOrder order = PathOrder::as_traced;
+    using Element = Rebind<std::variant, Materials>;
+
+    struct Visit {
+        template <class Visitor>
+        CTP_INLINE Scattering operator()(Visitor&& visitor, const Element& element) const {
+            return std::visit(visitor, element);
+        }
+    };
+    using Layout = SumTypeMaterials<Element, Visit>;
+
+    template <class ForEach>
+    static void shade(const Layout& layout, const ShadeBuffers& io, const ShadeWork& work,
+                      ForEach&& for_each) {
+        shade_in_one_kernel(layout.view(), io, work, for_each);
+    }
+};
+
+}  // namespace ctpbench

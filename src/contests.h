@@ -1,0 +1,29 @@
+// The two contests of a workload, from its contenders to rows: who intersects the same recorded rays, and who
+// renders the same frames.
+#pragma once
+
+#include <vector>
+
+#include "measure/lineup.h"
+#include "run_context.h"
+#include "scene/scene.h"
+#include "wavefront/scene_view.h"
+
+namespace ctpbench {
+
+struct ContestInput {
+    const Workload& workload;
+    const Scene& scene;
+    const SceneView& view;
+    Lineup& lineup;
+    const Intersector* oracle;  // null: there is none
+    SceneResult& in_results;
+};
+
+// Both throw Interrupted after Ctrl-C, with the finished rounds kept.
+void run_intersect_contest(const RunContext& run, const ContestInput& input,
+                           const std::vector<Contender>& contenders);
+void run_frame_contest(const RunContext& run, const ContestInput& input,
+                       const std::vector<Contender>& contenders);
+
+}  // namespace ctpbench

@@ -1,0 +1,121 @@
+#include "measure/frame_contest.h"
+
+#include <algorithm>
+
+#include "measure/rounds.h"
+
+namespace ctpbench {
+namespace {
+
+// Adds what a frame's stages took to the cell, over all bounces.
+void add_frame(CellResult& cell, const std::vector<StageTime>& stages) {
+    std::vector<const char*> kernels;
+    for (const StageTime& s : stages) {
+        if (std::find(kernels.begin(), kernels.end(), s.kernel) == kernels.end()) kernels.push_back(s.kernel);
+    }
+    for (const StageTime& s : stages) {
+        if (std::string_view(s.kernel) == "shade") cell.shaded += s.rays;
+        cell.dropped += s.dropped, cell.clamped += s.clamped;
+    }
+    for (const char* kernel : kernels) {
+        std::uint64_t rays = 0;
+        double seconds = 0.0;
+        for (const StageTime& s : stages)
+            if (s.kernel == kernel) rays += s.rays, seconds += s.seconds;
+        cell.add(kernel, rays, static_cast<double>(rays) / seconds * 1e-6, seconds);
+    }
+}
+
+std::vector<Row> rows_of(std::size_t cell, std::uint32_t round, const std::vector<StageTime>& stages,
+                         std::uint64_t image_hash) {
+    std::vector<Row> rows;
+    for (const StageTime& s : stages) {
+        Row& row = rows.emplace_back();
+        row.cell = cell, row.kernel = s.kernel, row.bounce = s.bounce, row.round = round;
+        row.active_rays = row.rays = s.rays, row.seconds = s.seconds;
+        row.dropped = s.dropped, row.clamped = s.clamped;
+        if (row.kernel == "blend") row.image_hash = image_hash;
+    }
+    return rows;
+}
+
+}  // namespace
+
+FrameContest::FrameContest(Renderer& renderer, const GeometryView& geometry, CpuBackend& backend,
+                           const Intersector* oracle, std::uint32_t oracle_rays)
+    : renderer_(renderer), judge_(backend, geometry, oracle, oracle_rays), oracle_rays_(oracle_rays) {}
+
+std::vector<Row> FrameContest::verify(FrameEntrant& entrant, CellResult& cell) {
+    std::vector<std::uint64_t> hashes;
+    ImageStorage image;
+    std::vector<StageTime> stages = renderer_.frame(
+        *entrant.intersector, *entrant.shader, entrant.carry_t, 0, image, [&](const BounceView& view) {
+            // In the order of the slots, which does not depend on how a strategy has reordered its paths.
+            std::vector<std::uint32_t> slots = view.slots;
+            std::sort(slots.begin(), slots.end());
+            Batch all = record_batch(view.bounce, view.rays, slots, 0);
+            const std::uint64_t hash = record_hits(all, view.hits).hash();
+            if (judge_.can_judge()) {
+                Batch batch = record_batch(view.bounce, view.rays, slots, oracle_rays_);
+                HitStorage hits = record_hits(batch, view.hits);
+                cell.verdict += judge_.judge_hits(view.bounce, batch, hits, hash);
+            }
+            hashes.push_back(hash);
+        });
+    hashes.push_back(image.hash());
+    for (StageTime& s : stages) s.seconds = 0.0;
+
+    cell.checked = judge_.can_judge();
+    cell.valid = true;
+    if (entrant.exact && expected_.empty()) expected_ = hashes;
+    if (entrant.exact && hashes != expected_) {
+        cell.valid = false;
+        const auto [ours, first] =
+            std::mismatch(hashes.begin(), hashes.end(), expected_.begin(), expected_.end());
+        const bool is_image = ours + 1 >= hashes.end() && first + 1 >= expected_.end();
+        cell.reason = is_image ? "the image differs from the first contender's"
+                               : "hits differ from the first contender's, from bounce " +
+                                     std::to_string(ours - hashes.begin()) + " on";
+    } else if (!cell.verdict.accepted(entrant.exact)) {
+        cell.valid = false;
+        cell.reason = "the oracle disagrees: " + cell.verdict.text();
+    }
+    return rows_of(entrant.cell, 0, stages, hashes.back());
+}
+
+std::vector<Row> FrameContest::round(std::uint32_t number, std::vector<FrameEntrant>& entrants,
+                                     Results& results, const std::function<bool()>& stop) {
+    struct Frame {
+        std::vector<StageTime> stages;
+        std::uint64_t image_hash = 0;
+    };
+    std::vector<Frame> frames(entrants.size());
+    for (std::size_t e : round_order(entrants.size(), number)) {
+        FrameEntrant& entrant = entrants[e];
+        if (!results.cells[entrant.cell].valid) continue;
+        if (stop()) return {};
+        frames[e].stages = renderer_.frame(*entrant.intersector, *entrant.shader, entrant.carry_t, number,
+                                           entrant.image, {});
+        frames[e].image_hash = entrant.image.hash();
+    }
+    std::vector<Row> rows;
+    std::uint64_t expected = 0;
+    for (std::size_t e = 0; e < entrants.size(); ++e) {
+        CellResult& cell = results.cells[entrants[e].cell];
+        if (frames[e].stages.empty()) continue;
+        if (entrants[e].exact && expected == 0) expected = frames[e].image_hash;
+        if (entrants[e].exact && frames[e].image_hash != expected) {
+            cell.valid = false;
+            cell.reason =
+                "its image differs from the first contender's after sample " + std::to_string(number);
+        }
+        add_frame(cell, frames[e].stages);
+        cell.image_hash = frames[e].image_hash, cell.samples = number + 1;
+        const std::vector<Row> of_frame =
+            rows_of(entrants[e].cell, number, frames[e].stages, frames[e].image_hash);
+        rows.insert(rows.end(), of_frame.begin(), of_frame.end());
+    }
+    return rows;
+}
+
+}  // namespace ctpbench

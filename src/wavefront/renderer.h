@@ -1,0 +1,97 @@
+// The wavefront path tracer of the paper's Figure 2: progressive frames, each a sample per pixel, traced
+// bounce by bounce, with every stage a parallel kernel that is timed.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "backends/cpu.h"
+#include "kernels/generate.h"
+#include "wavefront/columns.h"
+#include "wavefront/compaction.h"
+#include "wavefront/intersector.h"
+#include "wavefront/scene_view.h"
+#include "wavefront/shader.h"
+#include "wavefront/sorting.h"
+
+namespace ctpbench {
+
+struct FrameSettings {
+    std::uint32_t width, height;
+    std::uint32_t bounces;  // intersections after the camera ray's
+    std::uint64_t seed;
+    bool copies = false;  // whether to time a plain copy of the index buffer at each bounce (a yardstick)
+};
+
+// One stage at one bounce. The name is the row's kernel: generate, intersect, copy, sort, shade, compact,
+// blend.
+struct StageTime {
+    const char* kernel;
+    std::uint32_t bounce;
+    std::uint32_t rays;
+    double seconds;
+    std::uint32_t dropped = 0;  // shade: samples to where nothing is reflected
+    std::uint32_t clamped = 0;  // blend: samples that were no number, infinite or negative
+};
+
+// What a bounce's rays hit, before they are shaded.
+struct BounceView {
+    std::uint32_t bounce;  // 0: camera rays
+    RayColumns rays;
+    HitColumns hits;
+    const std::vector<std::uint32_t>& slots;  // of the active paths, in the order of the wavefront
+};
+using BounceObserver = std::function<void(const BounceView&)>;
+
+class Renderer {
+public:
+    // The scene must outlive it.
+    Renderer(CpuBackend& backend, const SceneView& scene, const Camera& camera,
+             const FrameSettings& settings);
+
+    // Traces sample number `sample` of every pixel and blends it into the image, which holds the samples
+    // before it. `carry_t`: as in Intersector. The observer may be empty.
+    std::vector<StageTime> frame(const Intersector& intersector, const Shader& shader, bool carry_t,
+                                 std::uint32_t sample, ImageStorage& image, const BounceObserver& observe);
+
+    std::uint32_t pixels() const { return settings_.width * settings_.height; }
+
+private:
+    template <class F>
+    StageTime& time(const char* kernel, std::uint32_t bounce, F&& stage);
+    void generate(std::uint32_t sample);
+    void intersect(std::uint32_t bounce, const Intersector& intersector, PathOrder order, bool carry_t);
+    void copy(std::uint32_t bounce);
+    void sort(std::uint32_t bounce, PathOrder order);
+    void shade(std::uint32_t bounce, std::uint32_t sample, const Shader& shader);
+    void compact(std::uint32_t bounce, PathOrder order);
+    void blend(std::uint32_t sample, ImageStorage& image);
+    void show(std::uint32_t bounce, PathOrder order, const BounceObserver& observe);
+
+    CpuBackend& backend_;
+    const SceneView& scene_;
+    CameraFrame camera_;
+    FrameSettings settings_;
+
+    RayStorage rays_;
+    HitStorage hits_;
+    PixelStorage pixels_;
+    Array<std::uint32_t> index_, reordered_;  // slots of active paths; scratch for the stage that reorders
+    Array<std::uint32_t> copied_;       // what the yardstick copies, and to where; touched by nobody else
+    Array<std::uint8_t> keys_, fates_;  // by position in the index
+    Array<std::uint32_t> positions_;    // 0, 1, 2, ...: what is sorted where the index stays
+    std::uint32_t active_ = 0;
+    ShadeWork work_;
+    Sorting sorting_;
+    Compaction compaction_;
+
+    std::uint32_t segments_;  // the rest is for queues
+    Array<std::uint32_t> queue_slots_;
+    Array<SegmentCounts> queue_counts_;
+    Array<std::uint32_t> segment_counts_, dropped_counts_;
+
+    std::vector<StageTime> times_;
+};
+
+}  // namespace ctpbench

@@ -1,0 +1,53 @@
+// Small frames for tests: a scene with its tree and what traces it, and one call that renders.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "wavefront/batch.h"
+#include "wavefront/forest.h"
+#include "wavefront/renderer.h"
+
+namespace ctpbench::test {
+
+// The scene must outlive it.
+struct Stage {
+    Stage(const Scene& scene, int threads, const std::string& strategy = "ctp")
+        : view(scene),
+          backend(threads),
+          forest(build_forest(backend, scene, {TreeKind::mixed, TreeKind::typed_leaves, TreeKind::per_type},
+                              SbvhSettings::quality(), nullptr, [](const std::string&, double) {})),
+          intersector(make_intersector(strategy, "watertight", forest.layout_input(view.geometry()))) {}
+
+    SceneView view;
+    CpuBackend backend;
+    Forest forest;
+    std::unique_ptr<Intersector> intersector;
+};
+
+struct Frames {
+    ImageStorage image;
+    std::vector<StageTime> stages;  // of all frames
+};
+
+inline Frames render(Stage& stage, const Camera& camera, const FrameSettings& settings,
+                     std::uint32_t samples = 1, const std::string& shade = "ctp",
+                     const BounceObserver& observe = {}) {
+    Frames frames;
+    const auto shader = make_shader(shade, stage.view.materials());
+    Renderer renderer(stage.backend, stage.view, camera, settings);
+    for (std::uint32_t s = 0; s < samples; ++s) {
+        const auto stages = renderer.frame(*stage.intersector, *shader, true, s, frames.image, observe);
+        frames.stages.insert(frames.stages.end(), stages.begin(), stages.end());
+    }
+    return frames;
+}
+
+inline Camera looking_from(Vec3 eye, Vec3 target) {
+    Camera camera;
+    camera.eye = eye, camera.target = target;
+    return camera;
+}
+
+}  // namespace ctpbench::test
