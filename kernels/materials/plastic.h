@@ -37,22 +37,22 @@ struct Plastic {
         Vec3 albedo;
         const float cos_i = dot(point.normal, wi), cos_o = dot(point.normal, point.wo);
         if (!color.at(point, albedo) || cos_i <= 0.0f || cos_o <= 0.0f) return {0.0f, 0.0f, 0.0f};
-        const Vec3 h = normalize(point.wo + wi);
-        const float cos_h = dot(point.normal, h);
-        const float d = (exponent + 2.0f) * (0.5f * kInvPi) * std::pow(cos_h, exponent);
+        const HalfVector h = between(point.wo, wi, cos_o, cos_i);
+        const float d = (exponent + 2.0f) * (0.5f * kInvPi) * std::pow(h.cos_h, exponent);
         return albedo * kInvPi +
-               specular * (d * grooves(cos_h, cos_o, cos_i, dot(point.wo, h)) / (4.0f * cos_o * cos_i));
+               specular * (d * grooves(h.cos_h, cos_o, cos_i, h.oh) / (4.0f * cos_o * cos_i));
     }
 
     // Of both lobes together. Half vectors are drawn with density D cos_h.
     CTP_INLINE float pdf(const SurfacePoint& point, Vec3 wi) const {
-        const float cos_i = dot(point.normal, wi);
+        const float cos_i = dot(point.normal, wi), cos_o = dot(point.normal, point.wo);
         if (cos_i <= 0.0f) return 0.0f;
-        const Vec3 h = normalize(point.wo + wi);
-        const float cos_h = dot(point.normal, h);
-        const float glossy = (exponent + 2.0f) * (0.5f * kInvPi) * std::pow(cos_h, exponent + 1.0f) /
-                             (4.0f * dot(point.wo, h));
-        return diffuse_share * cos_i * kInvPi + (1.0f - diffuse_share) * glossy;
+        const float diffuse = diffuse_share * cos_i * kInvPi;
+        if (cos_o <= 0.0f) return diffuse;
+        const HalfVector h = between(point.wo, wi, cos_o, cos_i);
+        const float glossy =
+            (exponent + 2.0f) * (0.5f * kInvPi) * std::pow(h.cos_h, exponent + 1.0f) / (4.0f * h.oh);
+        return diffuse + (1.0f - diffuse_share) * glossy;
     }
 
     // Picks a lobe and divides by the probability of having picked it.
@@ -75,6 +75,15 @@ struct Plastic {
     }
 
 private:
+    struct HalfVector {
+        float cos_h, oh;  // with the normal, and with wo and wi alike
+    };
+    // For cosines above 0. Where light passes on along the surface wo + wi is nearly nothing, and dot
+    // products with its direction would be rounding errors of either sign; its length never is.
+    CTP_INLINE static HalfVector between(Vec3 wo, Vec3 wi, float cos_o, float cos_i) {
+        const float l = length(wo + wi);
+        return {min((cos_o + cos_i) / l, 1.0f), 0.5f * l};
+    }
     CTP_INLINE static float mean(Vec3 v) { return (v.x + v.y + v.z) * (1.0f / 3.0f); }
     // The share of a groove's facets that is neither hidden nor in shadow.
     CTP_INLINE static float grooves(float cos_h, float cos_o, float cos_i, float oh) {
