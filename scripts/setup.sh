@@ -3,11 +3,12 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-# openimageio-tools: the library's CMake package checks that its tools are there. python3 and curl:
-# scripts/fetch_scenes. python3-matplotlib: scripts/plot.
+# libboost-dev: Boost.Math's chi-squared distribution, for the tests. openimageio-tools: the library's CMake
+# package checks that its tools are there. python3 and curl: scripts/fetch_scenes. python3-matplotlib:
+# scripts/plot.
 packages=(g++ cmake ninja-build libtbb-dev libcli11-dev nlohmann-json3-dev libtinyobjloader-dev
-          librandom123-dev libxxhash-dev libgtest-dev libopenimageio-dev openimageio-tools python3 curl
-          python3-matplotlib)
+          librandom123-dev libxxhash-dev libgtest-dev libboost-dev libopenimageio-dev openimageio-tools
+          python3 curl python3-matplotlib)
 
 is_installed() {
   dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'
