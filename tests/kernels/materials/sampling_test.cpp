@@ -70,9 +70,10 @@ Hemisphere over(test::Random& random, double cosine) {
 TEST(MaterialSampling, MatteFollowsItsDensity) {
     test::Random random(1);
     const Matte material = Matte::make(test::matte(gray(0.5f)));
+    std::uint64_t seed = 100;
     double least = 1.0;
     for (const double cosine : kCosines) {
-        const Judged j = judge(material, over(random, cosine), 2);
+        const Judged j = judge(material, over(random, cosine), seed++);
         EXPECT_GT(j.chi_square.p_value, kFalseAlarms / std::size(kCosines)) << "wo at " << cosine;
         EXPECT_GT(j.chi_square.cells, 500u);
         EXPECT_NEAR(j.density, 1.0, 1e-5);
@@ -87,6 +88,7 @@ TEST(MaterialSampling, PlasticFollowsItsDensity) {
     constexpr float shares[] = {0.0f, 0.25f, 0.75f, 1.0f};  // of the Lambertian lobe
     constexpr double cases = std::size(exponents) * std::size(shares) * std::size(kCosines);
     test::Random random(3);
+    std::uint64_t seed = 100;
     double least = 1.0;
     for (const float exponent : exponents)
         for (const float share : shares)
@@ -96,7 +98,7 @@ TEST(MaterialSampling, PlasticFollowsItsDensity) {
                 const Plastic material =
                     Plastic::make(test::plastic(gray(0.8f * share), gray(0.8f * (1.0f - share)), exponent));
                 ASSERT_NEAR(material.diffuse_share, share, 1e-6);
-                const Judged j = judge(material, over(random, cosine), 4);
+                const Judged j = judge(material, over(random, cosine), seed++);
                 EXPECT_GT(j.chi_square.p_value, kFalseAlarms / cases)
                     << "chi-square " << j.chi_square.statistic << " over " << j.chi_square.cells << " cells";
                 EXPECT_GT(j.chi_square.cells, 10u);
