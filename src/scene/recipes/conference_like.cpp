@@ -11,7 +11,7 @@ namespace ctpbench::recipe {
 ConferencePalette::ConferencePalette(std::vector<Material>& materials)
     : wall(add_matte(materials, "wall", {0.80f, 0.77f, 0.70f})),
       carpet(add_matte(materials, "carpet", {0.22f, 0.25f, 0.32f})),
-      ceiling(add_matte(materials, "ceiling_panel", {0.84f, 0.84f, 0.82f})),
+      ceiling(add_emissive(materials, "ceiling_panel", {0.62f, 0.60f, 0.56f})),
       wood(add_plastic(materials, "wood", {0.52f, 0.30f, 0.15f}, 0.06f, 80)),
       dark_wood(add_plastic(materials, "dark_wood", {0.27f, 0.14f, 0.07f}, 0.08f, 120)),
       upholstery(add_matte(materials, "upholstery", {0.48f, 0.09f, 0.10f})),
@@ -22,7 +22,7 @@ ConferencePalette::ConferencePalette(std::vector<Material>& materials)
       glass(add_mirror(materials, "glass", {0.86f, 0.90f, 0.91f})),
       daylight(add_emissive(materials, "daylight", {1.0f, 1.0f, 1.0f})),
       fabric(add_matte(materials, "curtain", {0.66f, 0.58f, 0.40f})),
-      lamp(add_emissive(materials, "lamp", {10.0f, 9.8f, 9.0f})),
+      lamp(add_emissive(materials, "lamp", {3.0f, 2.9f, 2.6f})),
       blue(add_plastic(materials, "blue", {0.10f, 0.20f, 0.55f}, 0.06f, 100)),
       red(add_plastic(materials, "red", {0.65f, 0.10f, 0.08f}, 0.06f, 100)),
       green(add_matte(materials, "green", {0.10f, 0.45f, 0.18f})),

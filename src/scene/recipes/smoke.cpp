@@ -30,14 +30,15 @@ void build_smoke(Mesh& mesh, std::vector<Material>& materials, std::uint64_t see
     const MaterialId wood = add_plastic(materials, "wood", {0.45f, 0.26f, 0.13f}, 0.06f, 80);
     const MaterialId cover = add_matte(materials, "cover", {0.50f, 0.10f, 0.10f});
     const MaterialId curtain = add_matte(materials, "curtain", {0.15f, 0.25f, 0.50f});
-    const MaterialId lamp = add_emissive(materials, "lamp", {9.0f, 8.0f, 6.0f});
+    const MaterialId lamp = add_emissive(materials, "lamp", {3.0f, 2.3f, 1.4f});
+    const MaterialId ceiling = add_emissive(materials, "ceiling", {0.62f, 0.60f, 0.56f});
     const MaterialId silver = add_mirror(materials, "silver", {0.88f, 0.87f, 0.85f});
     const MaterialId clay = add_plastic(materials, "clay", {0.60f, 0.33f, 0.20f}, 0.04f, 30);
     const MaterialId green = add_matte(materials, "leaf", {0.16f, 0.40f, 0.10f});
     Random random(seed, 0);
 
     add_quad(mesh, {-hx, 0, hz}, {hx, 0, hz}, {hx, 0, -hz}, {-hx, 0, -hz}, floor);
-    add_quad(mesh, {-hx, height, -hz}, {hx, height, -hz}, {hx, height, hz}, {-hx, height, hz}, plaster);
+    add_quad(mesh, {-hx, height, -hz}, {hx, height, -hz}, {hx, height, hz}, {-hx, height, hz}, ceiling);
     add_quad(mesh, {hx, 0, hz}, {-hx, 0, hz}, {-hx, height, hz}, {hx, height, hz}, plaster);
     add_quad(mesh, {-hx, 0, hz}, {-hx, 0, -hz}, {-hx, height, -hz}, {-hx, height, hz}, plaster);
     add_quad(mesh, {hx, 0, -hz}, {hx, 0, hz}, {hx, height, hz}, {hx, height, -hz}, plaster);

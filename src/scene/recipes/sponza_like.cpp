@@ -23,7 +23,7 @@ SponzaPalette::SponzaPalette(std::vector<Material>& materials)
       green(add_matte(materials, "green_cloth", {0.08f, 0.34f, 0.12f})),
       blue(add_matte(materials, "blue_cloth", {0.07f, 0.13f, 0.45f})),
       bronze(add_mirror(materials, "bronze", {0.62f, 0.48f, 0.26f})),
-      lantern(add_emissive(materials, "lantern", {9.0f, 6.0f, 3.0f})),
+      lantern(add_emissive(materials, "lantern", {2.4f, 1.4f, 0.6f})),
       plaque(add_matte(materials, "plaque", {0.58f, 0.54f, 0.46f})),
       leaf(add_matte(materials, "leaf", {0.17f, 0.36f, 0.10f})),
       clay(add_plastic(materials, "clay", {0.62f, 0.36f, 0.22f}, 0.05f, 40)) {}
