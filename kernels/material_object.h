@@ -15,7 +15,7 @@ public:
 template <class T>
 class MaterialObject final : public MaterialBase {
 public:
-    explicit MaterialObject(const T& value) : value_(value) {}
+    CTP_HD explicit MaterialObject(const T& value) : value_(value) {}
     CTP_HD Scattering sample(const SurfacePoint& point, const PathRandom& random) const override {
         return value_.sample(point, random);
     }

@@ -10,14 +10,16 @@ template <class Methods>
 class PrimitiveBase {
 public:
     virtual ~PrimitiveBase() = default;
-    virtual void intersect(const RayContext<Methods>& ray, Hit& hit) const = 0;
+    CTP_HD virtual void intersect(const RayContext<Methods>& ray, Hit& hit) const = 0;
 };
 
 template <class Methods, class T>
 class PrimitiveObject final : public PrimitiveBase<Methods> {
 public:
-    explicit PrimitiveObject(const T& value) : value_(value) {}
-    void intersect(const RayContext<Methods>& ray, Hit& hit) const override { value_.intersect(ray, hit); }
+    CTP_HD explicit PrimitiveObject(const T& value) : value_(value) {}
+    CTP_HD void intersect(const RayContext<Methods>& ray, Hit& hit) const override {
+        value_.intersect(ray, hit);
+    }
 
 private:
     T value_;

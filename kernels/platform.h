@@ -15,6 +15,13 @@
 
 #define CTP_INLINE CTP_HD inline __attribute__((always_inline))
 
+// Before a loop over a small array: unrolled, so that a GPU keeps the array in registers.
+#if defined(__CUDA_ARCH__)
+#define CTP_UNROLL _Pragma("unroll")
+#else
+#define CTP_UNROLL
+#endif
+
 namespace ctpbench {
 
 // Ends the program at once. For states that no input can reach, such as a type tag outside its type
@@ -26,6 +33,18 @@ namespace ctpbench {
     }
 #else
     __builtin_trap();
+#endif
+}
+
+// p[i] for an i that only shows at run time. A processor computes the address. A GPU
+// selects from registers: an array that is indexed so would be moved to local memory, and loads of single
+// words cost it as much as loads of four.
+CTP_INLINE float element(const float (&p)[3], int i) {
+#if defined(__CUDA_ARCH__)
+    const float a = p[0], b = p[1], c = p[2];
+    return i == 0 ? a : i == 1 ? b : c;
+#else
+    return p[i];
 #endif
 }
 

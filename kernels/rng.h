@@ -23,6 +23,7 @@ CTP_INLINE Random4 random4(std::uint64_t seed, std::uint32_t pixel, std::uint32_
         {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}};
     const r123::Philox4x32::ctr_type bits = r123::Philox4x32()(counter, key);
     Random4 r;
+    CTP_UNROLL
     for (int i = 0; i < 4; ++i) r.v[i] = static_cast<float>(bits[i] >> 8) * 0x1p-24f;
     return r;
 }

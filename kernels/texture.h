@@ -47,15 +47,17 @@ CTP_INLINE TextureSample sample_texture(const Texel* arena, const Texture& textu
     const float fx = axis(uv.x, texture.width, x0, x1), fy = axis(uv.y, texture.height, y0, y1);
     const Texel* row0 = arena + texture.first + y0 * texture.width;
     const Texel* row1 = arena + texture.first + y1 * texture.width;
-    const float w[4] = {(1.0f - fx) * (1.0f - fy), fx * (1.0f - fy), (1.0f - fx) * fy, fx * fy};
-    const Texel t[4] = {row0[x0], row0[x1], row1[x0], row1[x1]};
+    // No arrays: a GPU would keep them in local memory.
+    const Texel t0 = row0[x0], t1 = row0[x1], t2 = row1[x0], t3 = row1[x1];
     float r = 0.0f, g = 0.0f, b = 0.0f, a = 0.0f;
-    for (int i = 0; i < 4; ++i) {
-        r += w[i] * static_cast<float>(t[i].r);
-        g += w[i] * static_cast<float>(t[i].g);
-        b += w[i] * static_cast<float>(t[i].b);
-        a += w[i] * static_cast<float>(t[i].a);
-    }
+    const auto add = [&](const Texel& t, float w) {
+        r += w * static_cast<float>(t.r);
+        g += w * static_cast<float>(t.g);
+        b += w * static_cast<float>(t.b);
+        a += w * static_cast<float>(t.a);
+    };
+    add(t0, (1.0f - fx) * (1.0f - fy)), add(t1, fx * (1.0f - fy));
+    add(t2, (1.0f - fx) * fy), add(t3, fx * fy);
     constexpr float unit = 1.0f / 65535.0f;
     return {{r * unit, g * unit, b * unit}, a * unit};
 }

@@ -4,6 +4,7 @@
 
 #include "bvh.h"
 #include "methods/bundles.h"
+#include "traverse_warp.h"
 
 namespace ctpbench {
 
@@ -12,8 +13,11 @@ namespace ctpbench {
 // Both children are tested from their parent's step; the choice among them is arithmetic rather than
 // branches, which incoherent rays would mispredict.
 template <class Methods, class Entries, class Leaf>
-CTP_INLINE void traverse(const BvhNode* nodes, const RayContext<Methods>& ray, Hit& hit, Entries&& entries,
-                         Leaf&& leaf) {
+CTP_INLINE void traverse(const BvhNode* nodes, const RayContext<Methods>& ray, Hit& hit,
+                         [[maybe_unused]] Entries&& entries, Leaf&& leaf) {
+#if defined(__CUDA_ARCH__)
+    traverse_in_warp<Methods>(nodes, ray, hit, leaf);
+#else
     using BoxTest = typename Methods::Box;
     struct Entry {
         std::uint32_t node;
@@ -50,6 +54,7 @@ CTP_INLINE void traverse(const BvhNode* nodes, const RayContext<Methods>& ray, H
         } while (stack[top].near > hit.t);
         node = nodes + stack[top].node;
     }
+#endif
 }
 
 }  // namespace ctpbench

@@ -31,9 +31,22 @@ CTP_INLINE Vec3 cross(Vec3 a, Vec3 b) {
 CTP_INLINE float length(Vec3 a) { return std::sqrt(dot(a, a)); }
 CTP_INLINE Vec3 normalize(Vec3 a) { return a * (1.0f / length(a)); }
 
-// Comparisons that compile to one min/max instruction; if either argument is NaN the second is returned.
-CTP_INLINE float min(float a, float b) { return a < b ? a : b; }
-CTP_INLINE float max(float a, float b) { return a > b ? a : b; }
+// Each is one min/max instruction. If either argument is NaN, x86's gives the second and a GPU's the other
+// one: no result may depend on which.
+CTP_INLINE float min(float a, float b) {
+#if defined(__CUDA_ARCH__)
+    return fminf(a, b);
+#else
+    return a < b ? a : b;
+#endif
+}
+CTP_INLINE float max(float a, float b) {
+#if defined(__CUDA_ARCH__)
+    return fmaxf(a, b);
+#else
+    return a > b ? a : b;
+#endif
+}
 CTP_INLINE Vec3 min(Vec3 a, Vec3 b) { return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)}; }
 CTP_INLINE Vec3 max(Vec3 a, Vec3 b) { return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)}; }
 

@@ -4,6 +4,7 @@
 #include "measure/frame_contest.h"
 #include "oracle/embree.h"
 #include "report/image.h"
+#include "wavefront/cpu_tracer.h"
 #include "wavefront/renderer.h"
 
 namespace ctpbench {
@@ -62,7 +63,9 @@ std::vector<Batch> record_frame(const RunContext& run, const ContestInput& input
         .frame(input.lineup.get(run.config.reference, Watertight::name), *shader, true, 0, image,
                [&](const BounceView& view) {
                    stop_if_interrupted();
-                   batches.push_back(record_batch(view.bounce, view.rays, view.slots, run.config.batch_rays));
+                   Batch& batch = batches.emplace_back(
+                       record_batch(view.bounce, view.rays, view.slots, run.config.batch_rays));
+                   batch.hit_hash = record_hits(batch, view.hits).hash();
                });
     return batches;
 }
@@ -81,6 +84,23 @@ void write_images(const RunContext& run, const ContestInput& input,
     }
 }
 
+std::unique_ptr<BatchTracer> tracer_of(const RunContext& run, const ContestInput& input, const Contender& c) {
+    if (c.backend == "cuda") return input.cuda->tracer(c.strategy, c.methods);
+    return std::make_unique<CpuTracer>(run.backend, input.lineup.get(c.strategy, c.methods),
+                                       input.view.geometry().extent);
+}
+
+std::unique_ptr<FramePipeline> pipeline_of(const RunContext& run, const ContestInput& input,
+                                           Renderer& renderer, const Contender& c) {
+    if (c.backend == "cuda") {
+        const Config& config = run.config;
+        return input.cuda->pipeline(c.strategy, c.methods, c.shade, cuda_launch(c.launch), input.scene.camera,
+                                    {config.width, config.height, config.bounces, config.seed, true});
+    }
+    return std::make_unique<CpuPipeline>(renderer, input.lineup.get(c.strategy, c.methods),
+                                         make_shader(c.shade, input.view.materials()));
+}
+
 }  // namespace
 
 void run_intersect_contest(const RunContext& run, const ContestInput& input,
@@ -90,15 +110,16 @@ void run_intersect_contest(const RunContext& run, const ContestInput& input,
     std::vector<Entrant> entrants;
     for (const Contender& c : contenders) {
         const bool yardstick = c.methods == own_way;
-        if (yardstick && embree_version().empty()) {
+        if (yardstick && c.backend == "cpu" && embree_version().empty()) {
             run.note(c.label() + ": left out, this program was built without Embree");
             continue;
         }
         entrants.push_back({run.results.cells.size(),
-                            &input.lineup.get(c.strategy, c.methods),
+                            tracer_of(run, input, c),
                             c.restart_carries_t,
                             is_exact(c),
-                            !yardstick,
+                            // CUDA's yardstick ignores spheres.
+                            !yardstick || (c.backend == "cuda" && input.workload.spheres == 0),
                             {}});
         enter(run, cell_of(input, c),
               static_cast<double>(entrants.size()) / static_cast<double>(contenders.size()),
@@ -111,11 +132,11 @@ void run_intersect_contest(const RunContext& run, const ContestInput& input,
 void run_frame_contest(const RunContext& run, const ContestInput& input,
                        const std::vector<Contender>& contenders) {
     Renderer renderer = renderer_of(run, input, true);
-    FrameContest contest(renderer, input.view.geometry(), run.backend, input.oracle, run.config.oracle_rays);
+    FrameContest contest(input.view.geometry(), run.backend, input.oracle, run.config.oracle_rays);
     std::vector<FrameEntrant> entrants;
     for (const Contender& c : contenders) {
-        entrants.push_back({run.results.cells.size(), &input.lineup.get(c.strategy, c.methods),
-                            make_shader(c.shade, input.view.materials()), c.restart_carries_t, is_exact(c)});
+        entrants.push_back({run.results.cells.size(), pipeline_of(run, input, renderer, c),
+                            c.restart_carries_t, is_exact(c)});
         enter(run, cell_of(input, c),
               static_cast<double>(entrants.size()) / static_cast<double>(contenders.size()),
               [&](CellResult& cell) { return contest.verify(entrants.back(), cell); });

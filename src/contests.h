@@ -7,6 +7,7 @@
 #include "measure/lineup.h"
 #include "run_context.h"
 #include "scene/scene.h"
+#include "wavefront/cuda_workload.h"
 #include "wavefront/scene_view.h"
 
 namespace ctpbench {
@@ -16,6 +17,7 @@ struct ContestInput {
     const Scene& scene;
     const SceneView& view;
     Lineup& lineup;
+    CudaWorkload* cuda;         // null: no contender is for CUDA
     const Intersector* oracle;  // null: there is none
     SceneResult& in_results;
 };

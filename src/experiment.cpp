@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 #include <set>
 
+#include "backends/cuda.h"
 #include "contests.h"
 #include "oracle/embree.h"
 #include "report/console.h"
@@ -35,9 +37,10 @@ std::string run_id_of(const Config& config) {
 // One run of one config: what outlives a workload.
 class Run {
 public:
-    Run(const Config& config, const RunOptions& options)
+    Run(const Config& config, const RunOptions& options, std::optional<CudaDevice> device)
         : config_(config),
           options_(options),
+          device_(std::move(device)),
           id_(run_id_of(config)),
           folder_(options.out.empty() ? std::filesystem::path("results") / id_ : options.out),
           backend_(static_cast<int>(config.threads)),
@@ -45,6 +48,7 @@ public:
           rows_(prepared(folder_, config), id_, config.experiment, backend_.threads()),
           context_{config_, folder_, backend_, progress_, rows_, results_, options.quiet} {
         write_meta("running");
+        if (!options.notice.empty()) context_.note(options.notice);
     }
 
     ExitCode run(const std::vector<WorkloadCells>& workloads) {
@@ -81,8 +85,8 @@ private:
         return folder;
     }
     void write_meta(const std::string& state) {
-        write_file(folder_ / "meta.json",
-                   meta_json(config_, results_, id_, state, options_.command, backend_.threads()));
+        write_file(folder_ / "meta.json", meta_json(config_, results_, id_, state, options_.command,
+                                                    backend_.threads(), device_ ? &*device_ : nullptr));
     }
     void write_tables() {
         write_file(folder_ / "trees.csv", trees_csv(results_));
@@ -122,6 +126,7 @@ private:
         const auto need = [&](const std::string& name) {
             for (const StrategyInfo& s : strategies)
                 if (s.name == name) kinds.insert(s.tree);
+            if (name == kCudaYardstick) kinds.insert(TreeKind::per_type);
         };
         for (const Contender& c : cells.contenders) need(c.strategy);
         const bool intersects = std::any_of(cells.contenders.begin(), cells.contenders.end(),
@@ -176,13 +181,15 @@ private:
         stop_if_interrupted();
         std::vector<Contender> intersecting, rendering;
         for (const Contender& c : cells.contenders) (c.renders() ? rendering : intersecting).push_back(c);
-        const ContestInput input{cells.workload, scene, view, lineup, oracle, in_results};
+        const std::unique_ptr<CudaWorkload> cuda = device_ ? make_cuda_workload(view, layout) : nullptr;
+        const ContestInput input{cells.workload, scene, view, lineup, cuda.get(), oracle, in_results};
         if (!intersecting.empty()) run_intersect_contest(context_, input, intersecting);
         if (!rendering.empty()) run_frame_contest(context_, input, rendering);
     }
 
     const Config& config_;
     const RunOptions& options_;
+    std::optional<CudaDevice> device_;  // none: no cell is for CUDA
     std::string id_;
     std::filesystem::path folder_;
     CpuBackend backend_;
@@ -199,7 +206,8 @@ private:
 KnownNames known_names() {
     KnownNames names;
     for (const StrategyInfo& s : intersect_strategies()) names.strategies.push_back(s.name);
-    for (const EmbreeContender& e : embree_contenders()) names.yardsticks.push_back(e.name);
+    for (const EmbreeContender& e : embree_contenders()) names.yardsticks.push_back({e.name, "cpu"});
+    names.yardsticks.push_back({kCudaYardstick, "cuda"});
     for (const MethodsInfo& m : method_bundles()) names.methods.push_back(m.name);
     names.shades = shade_strategies();
     for (const BuilderInfo& b : tree_builders()) names.builders.push_back(b.name);
@@ -208,7 +216,12 @@ KnownNames known_names() {
 }
 
 ExitCode run_experiment(const Config& config, const std::vector<Cell>& cells, const RunOptions& options) {
-    return Run(config, options).run(group_by_workload(cells));
+    const bool on_cuda = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
+        return cell.contender && cell.contender->backend == "cuda";
+    });
+    std::optional<CudaDevice> device;
+    if (on_cuda) device = use_cuda_device(options.device);
+    return Run(config, options, std::move(device)).run(group_by_workload(cells));
 }
 
 }  // namespace ctpbench

@@ -20,6 +20,8 @@ struct RunOptions {
     Folders scene_dirs;
     SceneChoice scenes = SceneChoice::auto_;
     bool quiet = false;
+    int device = 0;       // of CUDA
+    std::string notice;   // to be kept with the results; may be empty
     std::string command;  // recorded, so that the run can be repeated
 };
 

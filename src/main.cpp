@@ -1,8 +1,10 @@
 // The command line: reads it, does what it says, and turns errors into exit codes.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
 
+#include "backends/cuda.h"
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "build_info.h"
@@ -29,24 +31,52 @@ void list(const CommandLine& line) {
     const KnownNames names = known_names();
     print_names("scenes", scene_names(scene_search_path(line.scene_dirs)));
     print_names("strategies", names.strategies);
-    print_names("yardsticks", names.yardsticks);
+    std::vector<std::string> yardsticks;
+    for (const KnownNames::Yardstick& y : names.yardsticks) yardsticks.push_back(y.name);
+    print_names("yardsticks", yardsticks);
     print_names("shade strategies", names.shades);
     print_names("traversals", names.traversals);
     print_names("methods", names.methods);
     print_names("builders", names.builders);
     print_names("backends", names.backends);
+    print_names("launches", names.launches);
+    const std::string obstacle = cuda_obstacle(line.device);
+    std::printf("cuda: %s\n", obstacle.empty() ? "usable" : obstacle.c_str());
+}
+
+// "auto" resolved; a notice says why CUDA was left out.
+std::vector<std::string> backends_of(const CommandLine& line, std::string& notice) {
+    std::vector<std::string> backends;
+    const auto add = [&](const std::string& name) {
+        if (std::find(backends.begin(), backends.end(), name) == backends.end()) backends.push_back(name);
+    };
+    for (const std::string& name : line.backends) {
+        if (name != "auto") {
+            add(name);
+            continue;
+        }
+        add("cpu");
+        const std::string obstacle = cuda_obstacle(line.device);
+        if (obstacle.empty())
+            add("cuda");
+        else
+            notice = "cpu only: " + obstacle;
+    }
+    return backends;
 }
 
 ExitCode run(const CommandLine& line, const std::string& command) {
-    const KnownNames names = known_names();
+    RunOptions options;
+    KnownNames names = known_names();
+    names.only_backends = backends_of(line, options.notice);
     const Config config = load_config(line.config, line.edits, names);
     const std::vector<Cell> cells = filter(expand(config, names), line.filter);
     if (line.action == CommandLine::Action::dry_run) {
         std::printf("%s", format_cells(cells).c_str());
         return ExitCode::ok;
     }
-    RunOptions options;
     options.out = line.out;
+    options.device = line.device;
     options.scene_dirs = line.scene_dirs;
     options.scenes = line.scenes;
     options.quiet = line.quiet;

@@ -8,6 +8,8 @@
 #include "../bvh.h"
 #include "../intersect.h"
 #include "../primitives/list.h"
+#include "../slot.h"
+#include "place.h"
 
 namespace ctpbench {
 

@@ -19,7 +19,7 @@ struct MixedLeaves {
             const Element* e = elements + leaf.first;
             const Element* end = e + leaf.count();
             do {
-                Visit{}(*e, ray, hit);
+                Visit{}(fetch(*e), ray, hit);
             } while (++e != end);
         });
     }
@@ -45,15 +45,18 @@ template <class Methods, class Element, class Visit>
 class SumTypeLayout {
 public:
     explicit SumTypeLayout(const LayoutInput& in)
-        : nodes_(in.mixed.nodes),
+        : tree_(in.mixed),
           elements_(elements_in_leaf_order<Methods, Element>(
               in.mixed, in.geometry, [](const auto& primitive) { return Element(primitive); })) {}
 
-    MixedLeaves<Methods, Element, Visit> view() const { return {nodes_, elements_.data()}; }
+    template <class Place>
+    MixedLeaves<Methods, typename Place::template Element<Element>, Visit> view(const Place& place) const {
+        return {place(tree_.nodes, tree_.node_count), place.elements(elements_)};
+    }
     std::size_t bytes() const { return elements_.size() * sizeof(Element); }
 
 private:
-    const BvhNode* nodes_;
+    TreeView tree_;
     Array<Element> elements_;
 };
 

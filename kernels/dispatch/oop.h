@@ -19,6 +19,9 @@ struct VirtualVisit {
 };
 
 template <class Methods>
+using VirtualLeaves = MixedLeaves<Methods, const PrimitiveBase<Methods>*, VirtualVisit<Methods>>;
+
+template <class Methods>
 struct Oop {
     static constexpr const char* name = "oop";
     static constexpr TreeKind tree = TreeKind::mixed;
@@ -26,7 +29,7 @@ struct Oop {
 
     class Layout {
     public:
-        explicit Layout(const LayoutInput& in) : nodes_(in.mixed.nodes) {
+        explicit Layout(const LayoutInput& in) : tree_(in.mixed) {
             std::size_t first[kPrimitiveTypes], type = 0;
             objects_.reserve(in.geometry.size());
             for_each_type(Primitives<Methods>{}, [&](auto tag) {
@@ -43,21 +46,20 @@ struct Oop {
                 elements_.push_back(objects_[first[ref.type] + ref.index].get());
             }
         }
-        MixedLeaves<Methods, const Base*, VirtualVisit<Methods>> view() const {
-            return {nodes_, elements_.data()};
-        }
+        // Of the host alone: objects are constructed where their virtual tables are.
+        VirtualLeaves<Methods> view(HostPlace) const { return {tree_.nodes, elements_.data()}; }
         std::size_t bytes() const { return bytes_ + elements_.size() * sizeof(Base*); }
 
     private:
-        const BvhNode* nodes_;
+        TreeView tree_;
         std::vector<std::unique_ptr<Base>> objects_;
         Array<const Base*> elements_;
         std::size_t bytes_ = 0;
     };
 
-    template <class ForEach>
-    static void intersect(const Layout& layout, const IntersectBuffers& io, bool, ForEach&& for_each) {
-        intersect_in_one_pass<Methods>(layout.view(), io, for_each);
+    template <class View, class ForEach>
+    static void intersect(const View& view, const IntersectBuffers& io, bool, ForEach&& for_each) {
+        intersect_in_one_pass<Methods>(view, io, for_each);
     }
 };
 

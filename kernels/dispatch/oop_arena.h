@@ -21,7 +21,7 @@ struct OopArena {
 
     class Layout {
     public:
-        explicit Layout(const LayoutInput& in) : nodes_(in.mixed.nodes) {
+        explicit Layout(const LayoutInput& in) : tree_(in.mixed) {
             constexpr auto unplaced = std::numeric_limits<std::uint32_t>::max();
             std::vector<std::uint32_t> place[kPrimitiveTypes];  // in its arena, by scene index
             for_each_type(Primitives<Methods>{}, [&](auto tag) {
@@ -43,9 +43,8 @@ struct OopArena {
                 });
             }
         }
-        MixedLeaves<Methods, const Base*, VirtualVisit<Methods>> view() const {
-            return {nodes_, elements_.data()};
-        }
+        // Of the host alone: objects are constructed where their virtual tables are.
+        VirtualLeaves<Methods> view(HostPlace) const { return {tree_.nodes, elements_.data()}; }
         std::size_t bytes() const {
             std::size_t total = elements_.size() * sizeof(Base*);
             std::apply([&](const auto&... a) { ((total += a.size() * sizeof(a[0])), ...); }, arenas_);
@@ -58,14 +57,14 @@ struct OopArena {
             return std::get<Array<PrimitiveObject<Methods, T>>>(arenas_);
         }
 
-        const BvhNode* nodes_;
+        TreeView tree_;
         Rebind<Arenas, Primitives<Methods>> arenas_;
         Array<const Base*> elements_;
     };
 
-    template <class ForEach>
-    static void intersect(const Layout& layout, const IntersectBuffers& io, bool, ForEach&& for_each) {
-        intersect_in_one_pass<Methods>(layout.view(), io, for_each);
+    template <class View, class ForEach>
+    static void intersect(const View& view, const IntersectBuffers& io, bool, ForEach&& for_each) {
+        intersect_in_one_pass<Methods>(view, io, for_each);
     }
 };
 

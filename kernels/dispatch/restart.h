@@ -15,10 +15,10 @@ struct Restart {
     static constexpr const char* name = "restart";
     static constexpr TreeKind tree = TreeKind::per_type;
 
-    template <class T>
+    template <class Element>
     struct View {
-        const BvhNode* nodes;
-        TypedArray<Methods, T> array;
+        const BvhNode* nodes = nullptr;  // null: the scene has none of this type, and needs no pass for it
+        TypedArray<Methods, Element> array{};
 
         CTP_INLINE void closest_hit(const RayContext<Methods>& ray, Hit& hit) const {
             const auto entries = [&](const BvhNode& leaf) -> const void* {
@@ -26,6 +26,22 @@ struct Restart {
             };
             traverse<Methods>(nodes, ray, hit, entries,
                               [&](const BvhNode& leaf) { array.intersect_leaf(leaf, ray, hit); });
+        }
+    };
+
+    // A view for each type.
+    template <class Place>
+    struct ViewsIn {
+        template <class T>
+        using ViewOf = View<typename Place::template Element<T>>;
+        template <class... Ts>
+        struct Of : ViewOf<Ts>... {};
+
+        Rebind<Of, Primitives<Methods>> all;
+
+        template <class T>
+        const ViewOf<T>& of() const {
+            return all;
         }
     };
 
@@ -38,21 +54,25 @@ struct Restart {
             for_each_type(Primitives<Methods>{}, [&](auto tag) {
                 using T = typename decltype(tag)::type;
                 const TreeView& tree = in.per_type[index_of<T, Primitives<Methods>>];
-                nodes_[index_of<T, Primitives<Methods>>] = tree.nodes;
+                trees_[index_of<T, Primitives<Methods>>] = tree;
                 auto& array = std::get<Array<T>>(arrays_);
                 array.reserve(tree.ref_count);
                 for (std::size_t i = 0; i < tree.ref_count; ++i)
                     array.push_back(T::make(in.geometry, tree.refs[i].index));
             });
         }
-        template <class T>
-        View<T> view() const {
-            return {nodes_[index_of<T, Primitives<Methods>>], {std::get<Array<T>>(arrays_).data()}};
-        }
-        // A type that the scene lacks has no tree and needs no pass.
-        template <class T>
-        bool has() const {
-            return !std::get<Array<T>>(arrays_).empty();
+        template <class Place>
+        ViewsIn<Place> view(const Place& place) const {
+            ViewsIn<Place> views;
+            for_each_type(Primitives<Methods>{}, [&](auto tag) {
+                using T = typename decltype(tag)::type;
+                const Array<T>& array = std::get<Array<T>>(arrays_);
+                const TreeView& tree = trees_[index_of<T, Primitives<Methods>>];
+                if (!array.empty())
+                    static_cast<typename ViewsIn<Place>::template ViewOf<T>&>(views.all) = {
+                        place(tree.nodes, tree.node_count), {place.elements(array)}};
+            });
+            return views;
         }
         std::size_t bytes() const {
             std::size_t total = 0;
@@ -61,31 +81,31 @@ struct Restart {
         }
 
     private:
-        const BvhNode* nodes_[kPrimitiveTypes];
+        TreeView trees_[kPrimitiveTypes];
         Rebind<Arrays, Primitives<Methods>> arrays_;
     };
 
-    template <class ForEach>
-    static void intersect(const Layout& layout, const IntersectBuffers& io, bool carry_t,
-                          ForEach&& for_each) {
+    template <class Views, class ForEach>
+    static void intersect(const Views& views, const IntersectBuffers& io, bool carry_t, ForEach&& for_each) {
         int last = -1;
         for_each_type(Primitives<Methods>{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
-            if (layout.template has<T>()) last = index_of<T, Primitives<Methods>>;
+            if (views.template of<T>().nodes != nullptr) last = index_of<T, Primitives<Methods>>;
         });
         bool first = true;
         for_each_type(Primitives<Methods>{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
-            if (!layout.template has<T>()) return;
-            const View<T> view = layout.template view<T>();
+            const auto& view = views.template of<T>();
+            using View = std::remove_cvref_t<decltype(view)>;
+            if (view.nodes == nullptr) return;
             IntersectBuffers pass = io;
             if (index_of<T, Primitives<Methods>> != last) pass.keys = {};  // hits are not final yet
             if (first)
-                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::first>{view, pass});
+                for_each(io.count, IntersectKernel<Methods, View, Pass::first>{view, pass});
             else if (carry_t)
-                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::carry>{view, pass});
+                for_each(io.count, IntersectKernel<Methods, View, Pass::carry>{view, pass});
             else
-                for_each(io.count, IntersectKernel<Methods, View<T>, Pass::merge>{view, pass});
+                for_each(io.count, IntersectKernel<Methods, View, Pass::merge>{view, pass});
             first = false;
         });
     }

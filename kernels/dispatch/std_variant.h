@@ -20,9 +20,9 @@ struct StdVariant {
     };
     using Layout = SumTypeLayout<Methods, Element, Visit>;
 
-    template <class ForEach>
-    static void intersect(const Layout& layout, const IntersectBuffers& io, bool, ForEach&& for_each) {
-        intersect_in_one_pass<Methods>(layout.view(), io, for_each);
+    template <class View, class ForEach>
+    static void intersect(const View& view, const IntersectBuffers& io, bool, ForEach&& for_each) {
+        intersect_in_one_pass<Methods>(view, io, for_each);
     }
 };
 

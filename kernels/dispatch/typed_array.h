@@ -5,15 +5,15 @@
 
 namespace ctpbench {
 
-template <class Methods, class T>
+template <class Methods, class Element>
 struct TypedArray {
-    const T* elements;
+    const Element* elements;
 
     CTP_INLINE void intersect_leaf(const BvhNode& leaf, const RayContext<Methods>& ray, Hit& hit) const {
-        const T* e = elements + leaf.first;
-        const T* end = e + leaf.count();
+        const Element* e = elements + leaf.first;
+        const Element* end = e + leaf.count();
         do {
-            e->intersect(ray, hit);
+            fetch(*e).intersect(ray, hit);
         } while (++e != end);
     }
 };

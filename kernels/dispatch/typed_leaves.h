@@ -16,13 +16,15 @@ struct TypedLeaves {
     static constexpr const char* name = "typed_leaves";
     static constexpr TreeKind tree = TreeKind::typed_leaves;
 
-    template <class... Ts>
-    struct ArraysOf : TypedArray<Methods, Ts>... {};
-    using Arrays = Rebind<ArraysOf, Primitives<Methods>>;
+    template <class Place>
+    struct ViewIn {
+        template <class T>
+        using Elements = TypedArray<Methods, typename Place::template Element<T>>;
+        template <class... Ts>
+        struct ArraysOf : Elements<Ts>... {};
 
-    struct View {
         const BvhNode* nodes;  // a leaf's `first` counts in its type's array
-        Arrays arrays;
+        Rebind<ArraysOf, Primitives<Methods>> arrays;
 
         CTP_INLINE void closest_hit(const RayContext<Methods>& ray, Hit& hit) const {
             const auto entries = [&](const BvhNode& leaf) {
@@ -30,8 +32,7 @@ struct TypedLeaves {
                 const void* first = nodes;
                 for_each_type(Primitives<Methods>{}, [&](auto tag) {
                     using T = typename decltype(tag)::type;
-                    const T* element =
-                        static_cast<const TypedArray<Methods, T>&>(arrays).elements + leaf.first;
+                    const auto* element = static_cast<const Elements<T>&>(arrays).elements + leaf.first;
                     first = leaf.type() == index_of<T, Primitives<Methods>> ? element : first;
                 });
                 return first;
@@ -39,7 +40,7 @@ struct TypedLeaves {
             traverse<Methods>(nodes, ray, hit, entries, [&](const BvhNode& leaf) {
                 visit_type<Primitives<Methods>>(leaf.type(), [&](auto tag) {
                     using T = typename decltype(tag)::type;
-                    static_cast<const TypedArray<Methods, T>&>(arrays).intersect_leaf(leaf, ray, hit);
+                    static_cast<const Elements<T>&>(arrays).intersect_leaf(leaf, ray, hit);
                 });
             });
         }
@@ -73,12 +74,13 @@ struct TypedLeaves {
             for (BvhNode& node : nodes_)
                 if (node.is_leaf()) node.first = place[node.first];
         }
-        View view() const {
-            View view{nodes_.data(), {}};
+        template <class Place>
+        ViewIn<Place> view(const Place& place) const {
+            ViewIn<Place> view{place(nodes_.data(), nodes_.size()), {}};
             for_each_type(Primitives<Methods>{}, [&](auto tag) {
                 using T = typename decltype(tag)::type;
-                static_cast<TypedArray<Methods, T>&>(view.arrays).elements =
-                    std::get<Array<T>>(vectors_).data();
+                static_cast<typename ViewIn<Place>::template Elements<T>&>(view.arrays).elements =
+                    place.elements(std::get<Array<T>>(vectors_));
             });
             return view;
         }
@@ -93,9 +95,9 @@ struct TypedLeaves {
         Rebind<Vectors, Primitives<Methods>> vectors_;
     };
 
-    template <class ForEach>
-    static void intersect(const Layout& layout, const IntersectBuffers& io, bool, ForEach&& for_each) {
-        intersect_in_one_pass<Methods>(layout.view(), io, for_each);
+    template <class View, class ForEach>
+    static void intersect(const View& view, const IntersectBuffers& io, bool, ForEach&& for_each) {
+        intersect_in_one_pass<Methods>(view, io, for_each);
     }
 };
 

@@ -49,28 +49,32 @@ struct WatertightTriangle {
     // the small distance to a plane along an axis, but is unbounded at grazing angles; so it decides where
     // the sign is in doubt, and only within that doubt.
     CTP_INLINE static float refined_t(const Shape& s, const RaySetup& r, float lo, float hi) {
-        const float e1x = s.vertex[1][r.kx] - s.vertex[0][r.kx], e2x = s.vertex[2][r.kx] - s.vertex[0][r.kx];
-        const float e1y = s.vertex[1][r.ky] - s.vertex[0][r.ky], e2y = s.vertex[2][r.ky] - s.vertex[0][r.ky];
-        const float e1z = s.vertex[1][r.kz] - s.vertex[0][r.kz], e2z = s.vertex[2][r.kz] - s.vertex[0][r.kz];
+        const float e1x = element(s.vertex[1], r.kx) - element(s.vertex[0], r.kx),
+                    e2x = element(s.vertex[2], r.kx) - element(s.vertex[0], r.kx);
+        const float e1y = element(s.vertex[1], r.ky) - element(s.vertex[0], r.ky),
+                    e2y = element(s.vertex[2], r.ky) - element(s.vertex[0], r.ky);
+        const float e1z = element(s.vertex[1], r.kz) - element(s.vertex[0], r.kz),
+                    e2z = element(s.vertex[2], r.kz) - element(s.vertex[0], r.kz);
         const float nx = difference_of_products(e1y, e2z, e1z, e2y);
         const float ny = difference_of_products(e1z, e2x, e1x, e2z);
         const float nz = difference_of_products(e1x, e2y, e1y, e2x);
-        const float distance = fma(nx, s.vertex[0][r.kx] - r.ox,
-                                   fma(ny, s.vertex[0][r.ky] - r.oy, nz * (s.vertex[0][r.kz] - r.oz)));
+        const float distance =
+            fma(nx, element(s.vertex[0], r.kx) - r.ox,
+                fma(ny, element(s.vertex[0], r.ky) - r.oy, nz * (element(s.vertex[0], r.kz) - r.oz)));
         const float slope = fma(nx, r.sx, fma(ny, r.sy, nz));
         return min(max(distance * r.sz / slope, lo), hi);
     }
 
     CTP_INLINE static void intersect(const Shape& s, std::uint32_t id, const RaySetup& r, Hit& hit) {
-        const float az = s.vertex[0][r.kz] - r.oz;
-        const float bz = s.vertex[1][r.kz] - r.oz;
-        const float cz = s.vertex[2][r.kz] - r.oz;
-        const float ax = fma(-r.sx, az, s.vertex[0][r.kx] - r.ox);
-        const float ay = fma(-r.sy, az, s.vertex[0][r.ky] - r.oy);
-        const float bx = fma(-r.sx, bz, s.vertex[1][r.kx] - r.ox);
-        const float by = fma(-r.sy, bz, s.vertex[1][r.ky] - r.oy);
-        const float cx = fma(-r.sx, cz, s.vertex[2][r.kx] - r.ox);
-        const float cy = fma(-r.sy, cz, s.vertex[2][r.ky] - r.oy);
+        const float az = element(s.vertex[0], r.kz) - r.oz;
+        const float bz = element(s.vertex[1], r.kz) - r.oz;
+        const float cz = element(s.vertex[2], r.kz) - r.oz;
+        const float ax = fma(-r.sx, az, element(s.vertex[0], r.kx) - r.ox);
+        const float ay = fma(-r.sy, az, element(s.vertex[0], r.ky) - r.oy);
+        const float bx = fma(-r.sx, bz, element(s.vertex[1], r.kx) - r.ox);
+        const float by = fma(-r.sy, bz, element(s.vertex[1], r.ky) - r.oy);
+        const float cx = fma(-r.sx, cz, element(s.vertex[2], r.kx) - r.ox);
+        const float cy = fma(-r.sy, cz, element(s.vertex[2], r.ky) - r.oy);
         const float u = difference_of_products(cx, by, cy, bx);
         const float v = difference_of_products(ax, cy, ay, cx);
         const float w = difference_of_products(bx, ay, by, ax);

@@ -20,7 +20,8 @@ struct Axes {
     std::vector<bool> restart_carries_t;
     std::vector<std::string> traversal;
     std::vector<std::string> methods;
-    std::vector<std::string> shade;  // no_shade: intersect alone is measured
+    std::vector<std::string> shade;   // no_shade: intersect alone is measured
+    std::vector<std::string> launch;  // of frames' kernels on a GPU
 
     bool operator==(const Axes&) const = default;
 };
@@ -31,8 +32,8 @@ inline constexpr const char* no_shade = "none";
 
 // What an axis has that the config does not mention.
 inline Axes default_axes() {
-    return {{"smoke"}, {1000}, {0.03},     {"quality"},    {"cpu"},
-            {"ctp"},   {true}, {"single"}, {"watertight"}, {no_shade}};
+    return {{"smoke"}, {1000},     {0.03},         {"quality"}, {"cpu"},     {"ctp"},
+            {true},    {"single"}, {"watertight"}, {no_shade},  {"isolated"}};
 }
 
 // Whether the axis belongs to what is traced, not to who traces it.
@@ -53,6 +54,7 @@ void for_each_axis(AxesOrConst& axes, F&& f) {
     f("traversal", axes.traversal);
     f("methods", axes.methods);
     f("shade", axes.shade);
+    f("launch", axes.launch);
 }
 
 }  // namespace ctpbench

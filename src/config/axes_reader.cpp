@@ -36,6 +36,7 @@ private:
                                                  : axis_ == "methods"   ? known_.methods
                                                  : axis_ == "builder"   ? known_.builders
                                                  : axis_ == "shade"     ? known_.all_shades()
+                                                 : axis_ == "launch"    ? known_.launches
                                                                         : known_.backends;
         if (std::find(choices.begin(), choices.end(), name) != choices.end()) return true;
         element.error(unknown_name(axis_, name, choices));

@@ -56,26 +56,30 @@ std::vector<Workload> workloads_of(const Axes& axes) {
     return workloads;
 }
 
+// Every value of an axis, or `own` alone where the axis means nothing.
+std::vector<std::string> values_if(bool meaningful, const std::vector<std::string>& axis, const char* own) {
+    return meaningful ? axis : std::vector<std::string>{own};
+}
+
 std::vector<Contender> contenders_of(const Axes& axes, const KnownNames& known) {
     std::vector<Contender> contenders;
-    for (const std::string& backend : axes.backend) {
-        for (const std::string& strategy : axes.strategy) {
-            const bool yardstick = std::find(known.yardsticks.begin(), known.yardsticks.end(), strategy) !=
-                                   known.yardsticks.end();
-            for (const bool carries_t : axes.restart_carries_t) {
-                for (const std::string& traversal : axes.traversal) {
-                    for (const std::string& methods : axes.methods) {
-                        for (const std::string& shade : axes.shade) {
-                            if (yardstick && shade != no_shade) continue;  // it only intersects
+    const auto add = [&](const std::string& backend, const std::string& strategy) {
+        const KnownNames::Yardstick* yardstick = known.yardstick(strategy);
+        if (yardstick != nullptr && yardstick->backend != backend) return;
+        const bool ours = yardstick == nullptr;
+        for (const bool carries_t : axes.restart_carries_t)
+            for (const std::string& traversal : values_if(ours, axes.traversal, own_way))
+                for (const std::string& methods : values_if(ours, axes.methods, own_way))
+                    for (const std::string& shade : axes.shade) {
+                        if (!ours && shade != no_shade) continue;  // it only intersects
+                        const bool launched = backend == "cuda" && shade != no_shade;
+                        for (const std::string& launch : values_if(launched, axes.launch, ""))
                             contenders.push_back({backend, strategy, strategy != "restart" || carries_t,
-                                                  yardstick ? own_way : traversal,
-                                                  yardstick ? own_way : methods, shade});
-                        }
+                                                  traversal, methods, shade, launch});
                     }
-                }
-            }
-        }
-    }
+    };
+    for (const std::string& backend : axes.backend)
+        for (const std::string& strategy : axes.strategy) add(backend, strategy);
     return contenders;
 }
 
@@ -89,8 +93,16 @@ std::string Workload::name() const {
 }
 
 std::string Contender::label() const {
+    if (backend == defaults().backend.front()) return label_on_backend();
+    Contender here = *this;
+    here.backend = defaults().backend.front();
+    const std::string rest = here.label_on_backend(), name = strategy_of(*this);
+    return name + "/" + backend + rest.substr(name.size());
+}
+
+std::string Contender::label_on_backend() const {
     std::string label = strategy_of(*this);
-    if (backend != defaults().backend.front()) label += "/" + backend;
+    if (!launch.empty() && launch != defaults().launch.front()) label += "/" + launch;
     if (traversal != own_way && traversal != defaults().traversal.front()) label += "/" + traversal;
     if (methods != own_way && methods != defaults().methods.front()) label += "/" + methods;
     return label;
@@ -99,7 +111,8 @@ std::string Contender::label() const {
 std::string Cell::name() const {
     if (!contender) return workload.name();
     const Contender& c = *contender;
-    return workload.name() + "/" + c.backend + "/" + strategy_of(c) + "/" + c.traversal + "/" + c.methods;
+    return workload.name() + "/" + c.backend + "/" + strategy_of(c) + "/" + c.traversal + "/" + c.methods +
+           (c.launch.empty() ? "" : "/" + c.launch);
 }
 
 std::vector<Cell> expand_axes(const Axes& axes, bool measure, const KnownNames& known) {
@@ -132,7 +145,8 @@ bool matches(const Cell& cell, const Axes& pattern) {
            allows_if(is_restart(cell), pattern.restart_carries_t, c.restart_carries_t) &&
            allows_if(measured && !is_yardstick(cell), pattern.traversal, c.traversal) &&
            allows_if(measured && !is_yardstick(cell), pattern.methods, c.methods) &&
-           allows_if(measured, pattern.shade, c.shade);
+           allows_if(measured, pattern.shade, c.shade) &&
+           allows_if(!c.launch.empty(), pattern.launch, c.launch);
 }
 
 std::vector<Cell> expand(const Config& config, const KnownNames& known) {
@@ -172,14 +186,15 @@ std::vector<WorkloadCells> group_by_workload(const std::vector<Cell>& cells) {
 }
 
 std::string format_cells(const std::vector<Cell>& cells) {
-    std::vector<std::vector<std::string>> rows = {
-        {"scene", "spheres", "sphere_radius", "builder", "backend", "contender", "traversal", "methods"}};
+    std::vector<std::vector<std::string>> rows = {{"scene", "spheres", "sphere_radius", "builder", "backend",
+                                                   "contender", "traversal", "methods", "launch"}};
     for (const Cell& cell : cells) {
         const Workload& w = cell.workload;
         rows.push_back(
             {w.scene, std::to_string(w.spheres), w.spheres > 0 ? shortest(w.sphere_radius) : "-", w.builder});
         if (const auto& c = cell.contender) {
-            for (const std::string& column : {c->backend, strategy_of(*c), c->traversal, c->methods}) {
+            for (const std::string& column : {c->backend, strategy_of(*c), c->traversal, c->methods,
+                                              c->launch.empty() ? std::string("-") : c->launch}) {
                 rows.back().push_back(column);
             }
         } else {

@@ -31,6 +31,7 @@ struct Contender {
     std::string traversal;          // own_way for a yardstick
     std::string methods;            // own_way for a yardstick
     std::string shade = no_shade;
+    std::string launch{};  // of a frame on a GPU; else empty
 
     // Whether whole frames are measured rather than the intersection of recorded rays.
     bool renders() const { return shade != no_shade; }
@@ -39,6 +40,8 @@ struct Contender {
     // starts without the first one's hit), `+shade` if it renders, then `/x` for each axis that has not its
     // default.
     std::string label() const;
+    // The same without the backend, for what tells backends apart by itself.
+    std::string label_on_backend() const;
     bool operator==(const Contender&) const = default;
 };
 
@@ -62,7 +65,8 @@ struct WorkloadCells {
 
 // Cells in the order of axes.h, an axis' values in the order written; then those of `include`. An axis that
 // means nothing for a cell makes no further cells: restart_carries_t but for restart, sphere_radius without
-// spheres, traversal and methods for yardsticks, all of a contender if nothing is measured.
+// spheres, traversal and methods for yardsticks, launch but for frames on a GPU, all of a contender if
+// nothing is measured. A yardstick is a cell on its own backend alone.
 std::vector<Cell> expand(const Config& config, const KnownNames& known);
 
 // The cells of these axes alone.

@@ -17,6 +17,7 @@ Examples:
   ctpbench --config configs/smoke.json --out results/smoke
   ctpbench --config configs/table3.json --filter conference/1000/ --rounds 5
   ctpbench --config configs/table3.json --set /matrix/spheres=1000 --dry-run
+  ctpbench --config configs/table3.json --backend cuda --set /batch_rays=0
   ctpbench render conference --spheres 1000 --samples 64 --image conference.png
 
 Exit codes:
@@ -123,6 +124,16 @@ private:
         run_only(app_.add_option("--set", sets_, "Change a value of the config; may be repeated"))
             ->type_name("/POINTER=VALUE")
             ->allow_extra_args(false);
+        run_only(app_.add_option("--backend", line_.backends,
+                                 "Run on these, whatever the config says: cpu, cuda, or auto: cpu, and cuda "
+                                 "where there is a device"))
+            ->type_name("NAME[,NAME]")
+            ->delimiter(',')
+            ->allow_extra_args(false)
+            ->check(CLI::IsMember({"cpu", "cuda", "auto"}));
+        run_only(app_.add_option("--device", line_.device, "CUDA device, by its number"))
+            ->type_name("N")
+            ->check(whole_number(0, 1023));
         run_only(app_.add_flag("--dry-run", dry_run_, "Show the cells and stop"));
         run_only(app_.add_flag("--list", list_, "Show the names that a config may use and stop"));
     }

@@ -35,7 +35,9 @@ struct CommandLine {
     std::filesystem::path config;
     std::filesystem::path out;  // empty: not given
     std::string filter;
-    std::vector<ConfigEdit> edits;  // --set in the order given, then --threads, --rounds and --seed
+    std::vector<std::string> backends;  // "cpu", "cuda" or "auto"; empty: what the config says
+    int device = 0;                     // number of the CUDA device
+    std::vector<ConfigEdit> edits;      // --set in the order given, then --threads, --rounds and --seed
 
     // render
     std::string scene;

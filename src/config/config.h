@@ -48,16 +48,23 @@ struct Config {
 // The names that a config may use; the program passes what it has. The reader knows none by itself.
 struct KnownNames {
     std::vector<std::string> strategies;
-    std::vector<std::string> yardsticks;  // also strategies, but with traversal and arithmetic of their own
+    // Also strategies, but with traversal and arithmetic of their own, and each of one backend.
+    struct Yardstick {
+        std::string name, backend;
+    };
+    std::vector<Yardstick> yardsticks;
     std::vector<std::string> traversals;
     std::vector<std::string> methods;
     std::vector<std::string> builders;
     std::vector<std::string> shades;
-    std::vector<std::string> backends = {"cpu"};
+    std::vector<std::string> backends = {"cpu", "cuda"};
+    std::vector<std::string> launches = {"isolated", "concurrent", "graph"};
+    std::vector<std::string> only_backends;  // if any, these run whatever backends the config names
     std::vector<std::string> tree_tables = {"table2"};              // need trees only
     std::vector<std::string> speed_tables = {"table3"};             // need measurements of intersect
     std::vector<std::string> frame_tables = {"table1", "figure4"};  // need rendered frames
 
+    const Yardstick* yardstick(const std::string& name) const;  // null: there is none of this name
     std::vector<std::string> all_strategies() const;
     std::vector<std::string> all_shades() const;
     std::vector<std::string> all_tables() const;

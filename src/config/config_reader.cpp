@@ -143,7 +143,16 @@ void check_cells(const JsonObject& root, const KnownNames& known, Config& config
 
 }  // namespace
 
-std::vector<std::string> KnownNames::all_strategies() const { return joined(strategies, yardsticks); }
+const KnownNames::Yardstick* KnownNames::yardstick(const std::string& name) const {
+    for (const Yardstick& y : yardsticks)
+        if (y.name == name) return &y;
+    return nullptr;
+}
+std::vector<std::string> KnownNames::all_strategies() const {
+    std::vector<std::string> names = strategies;
+    for (const Yardstick& y : yardsticks) names.push_back(y.name);
+    return names;
+}
 std::vector<std::string> KnownNames::all_shades() const { return joined({no_shade}, shades); }
 std::vector<std::string> KnownNames::all_tables() const {
     return joined(joined(tree_tables, speed_tables), frame_tables);
@@ -166,6 +175,10 @@ Config read_config(JsonDocument document, const KnownNames& known) {
     }
     for (const JsonValue& element : root.list("include")) {
         read_axes(element.object(), config.measure, known, config.include.emplace_back(default_axes()));
+    }
+    if (config.measure && !known.only_backends.empty()) {
+        config.matrix.backend = known.only_backends;
+        for (Axes& axes : config.include) axes.backend = known.only_backends;
     }
     const JsonValue reference = root.value("reference");
     std::vector<std::string> contenders = known.all_strategies();

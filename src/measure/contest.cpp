@@ -1,29 +1,26 @@
 #include "measure/contest.h"
 
-#include "base/clock.h"
 #include "measure/rounds.h"
 
 namespace ctpbench {
 
 Contest::Contest(CpuBackend& backend, const GeometryView& geometry, std::vector<Batch>& batches,
                  const Intersector* oracle, std::uint32_t oracle_rays)
-    : backend_(backend),
-      geometry_(geometry),
-      batches_(batches),
-      judge_(backend, geometry, oracle, oracle_rays) {}
+    : geometry_(geometry), batches_(batches), judge_(backend, geometry, oracle, oracle_rays) {
+    for (const Batch& batch : batches) expected_.push_back(batch.hit_hash);
+}
 
 std::vector<Row> Contest::verify(Entrant& entrant, CellResult& cell) {
     std::vector<Row> rows;
-    const bool sets_reference = entrant.exact && expected_.empty();
+    const bool counts = entrant.exact && !counted_;
     std::size_t differing = 0;
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         Batch& batch = batches_[b];
-        entrant.intersector->intersect(backend_, batch_buffers(batch, hits_, geometry_), entrant.carry_t);
-        const std::uint64_t hash = hits_.hash();
+        const std::uint64_t hash = entrant.tracer->trace(batch, entrant.carry_t).hash;
         entrant.hashes.push_back(hash);
-        if (sets_reference) {
-            expected_.push_back(hash);
-            const HitColumns columns = hits_.view();
+        if (entrant.exact && expected_[b] == 0) expected_[b] = hash;
+        if (counts) {
+            const HitColumns columns = entrant.tracer->hits().view();
             for (std::uint32_t i = 0; i < batch.rays.size(); ++i) {
                 hits_seen_ += columns.primitive[i] != kNoPrimitive;
                 sphere_hits_ +=
@@ -31,15 +28,17 @@ std::vector<Row> Contest::verify(Entrant& entrant, CellResult& cell) {
             }
         }
         if (entrant.exact && hash != expected_[b]) ++differing;
-        if (entrant.judged && judge_.can_judge()) cell.verdict += judge_.judge_hits(b, batch, hits_, hash);
+        if (entrant.judged && judge_.can_judge())
+            cell.verdict += judge_.judge_hits(b, batch, *entrant.tracer, hash);
         rows.push_back({entrant.cell, "intersect", batch.bounce, 0, batch.active,
                         static_cast<std::uint32_t>(batch.rays.size()), 0.0, hash});
     }
+    counted_ = counted_ || counts;
     cell.checked = judge_.can_judge();
     cell.valid = true;
     if (differing > 0) {
         cell.valid = false;
-        cell.reason = "hits differ from the first contender's in " + std::to_string(differing) + " of " +
+        cell.reason = "hits differ from the reference's in " + std::to_string(differing) + " of " +
                       std::to_string(batches_.size()) + " batches";
     } else if (!cell.verdict.accepted(entrant.exact)) {
         cell.valid = false;
@@ -60,10 +59,8 @@ std::vector<Row> Contest::round(std::uint32_t number, std::vector<Entrant>& entr
         for (std::size_t b = 0; b < batches_.size(); ++b) {
             if (stop()) return {};
             Batch& batch = batches_[b];
-            const IntersectBuffers io = batch_buffers(batch, hits_, geometry_);
-            const double seconds =
-                seconds_of([&] { entrant.intersector->intersect(backend_, io, entrant.carry_t); });
-            const std::uint64_t hash = hits_.hash();
+            const auto [seconds, hash] = entrant.tracer->trace(batch, entrant.carry_t);
+            const auto count = static_cast<std::uint32_t>(batch.rays.size());
             if (hash != entrant.hashes[b]) {
                 CellResult& cell = results.cells[entrant.cell];
                 cell.valid = false;
@@ -71,9 +68,9 @@ std::vector<Row> Contest::round(std::uint32_t number, std::vector<Entrant>& entr
                               std::to_string(batch.bounce);
             }
             rows.push_back(
-                {entrant.cell, "intersect", batch.bounce, number, batch.active, io.count, seconds, hash});
+                {entrant.cell, "intersect", batch.bounce, number, batch.active, count, seconds, hash});
             // A batch stands for all paths that were active at its bounce.
-            frame_seconds[e] += seconds * batch.active / io.count;
+            frame_seconds[e] += seconds * batch.active / count;
         }
     }
     for (std::size_t e = 0; e < entrants.size(); ++e)

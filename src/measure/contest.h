@@ -9,15 +9,16 @@
 #include "measure/hit_judge.h"
 #include "measure/results.h"
 #include "wavefront/batch.h"
+#include "wavefront/batch_tracer.h"
 #include "wavefront/intersector.h"
 
 namespace ctpbench {
 
 struct Entrant {
     std::size_t cell;  // in Results::cells
-    const Intersector* intersector;
+    std::unique_ptr<BatchTracer> tracer;
     bool carry_t;
-    bool exact;                         // must give the reference's hits bit for bit
+    bool exact;                         // must give the recorded pipeline's hits bit for bit
     bool judged;                        // by the oracle; the oracle itself is not
     std::vector<std::uint64_t> hashes;  // of its hits, by batch
 };
@@ -29,7 +30,8 @@ public:
             const Intersector* oracle, std::uint32_t oracle_rays);
 
     // Traces every batch untimed, which also warms up; judges the hits and sets the cell's verdict. Entrants
-    // whose `exact` is set are compared with the first of them. Returns one row per batch, without a time.
+    // whose `exact` is set are compared with the batches' own, or else with the first of them. Returns one
+    // row per batch, without a time.
     std::vector<Row> verify(Entrant& entrant, CellResult& cell);
 
     // One round over all valid entrants; appends to each cell's series. Stops early, keeping nothing of the
@@ -41,12 +43,11 @@ public:
     double sphere_hit_share() const;
 
 private:
-    CpuBackend& backend_;
     GeometryView geometry_;
     std::vector<Batch>& batches_;
     HitJudge judge_;
-    HitStorage hits_;
-    std::vector<std::uint64_t> expected_;  // hashes of the first exact entrant
+    std::vector<std::uint64_t> expected_;  // hashes of exact hits, by batch; 0: not known yet
+    bool counted_ = false;
     std::size_t sphere_hits_ = 0, hits_seen_ = 0;
 };
 

@@ -34,6 +34,7 @@ std::vector<Row> rows_of(std::size_t cell, std::uint32_t round, const std::vecto
         row.cell = cell, row.kernel = s.kernel, row.bounce = s.bounce, row.round = round;
         row.active_rays = row.rays = s.rays, row.seconds = s.seconds;
         row.dropped = s.dropped, row.clamped = s.clamped;
+        row.start_seconds = s.start;
         if (row.kernel == "blend") row.image_hash = image_hash;
     }
     return rows;
@@ -41,38 +42,41 @@ std::vector<Row> rows_of(std::size_t cell, std::uint32_t round, const std::vecto
 
 }  // namespace
 
-FrameContest::FrameContest(Renderer& renderer, const GeometryView& geometry, CpuBackend& backend,
-                           const Intersector* oracle, std::uint32_t oracle_rays)
-    : renderer_(renderer), judge_(backend, geometry, oracle, oracle_rays), oracle_rays_(oracle_rays) {}
+FrameContest::FrameContest(const GeometryView& geometry, CpuBackend& backend, const Intersector* oracle,
+                           std::uint32_t oracle_rays)
+    : geometry_(geometry), backend_(backend), oracle_(oracle), oracle_rays_(oracle_rays) {}
 
 std::vector<Row> FrameContest::verify(FrameEntrant& entrant, CellResult& cell) {
     std::vector<std::uint64_t> hashes;
     ImageStorage image;
-    std::vector<StageTime> stages = renderer_.frame(
-        *entrant.intersector, *entrant.shader, entrant.carry_t, 0, image, [&](const BounceView& view) {
+    std::vector<std::uint64_t>& expected = expected_[cell.contender.backend];
+    HitJudge& judge =
+        judges_.try_emplace(cell.contender.backend, backend_, geometry_, oracle_, oracle_rays_).first->second;
+    std::vector<StageTime> stages =
+        entrant.pipeline->frame(entrant.carry_t, 0, image, [&](const BounceView& view) {
             // In the order of the slots, which does not depend on how a strategy has reordered its paths.
             std::vector<std::uint32_t> slots = view.slots;
             std::sort(slots.begin(), slots.end());
             Batch all = record_batch(view.bounce, view.rays, slots, 0);
             const std::uint64_t hash = record_hits(all, view.hits).hash();
-            if (judge_.can_judge()) {
+            if (judge.can_judge()) {
                 Batch batch = record_batch(view.bounce, view.rays, slots, oracle_rays_);
                 HitStorage hits = record_hits(batch, view.hits);
-                cell.verdict += judge_.judge_hits(view.bounce, batch, hits, hash);
+                cell.verdict += judge.judge_hits(view.bounce, batch, hits, hash);
             }
             hashes.push_back(hash);
         });
     hashes.push_back(image.hash());
     for (StageTime& s : stages) s.seconds = 0.0;
 
-    cell.checked = judge_.can_judge();
+    cell.checked = judge.can_judge();
     cell.valid = true;
-    if (entrant.exact && expected_.empty()) expected_ = hashes;
-    if (entrant.exact && hashes != expected_) {
+    if (entrant.exact && expected.empty()) expected = hashes;
+    if (entrant.exact && hashes != expected) {
         cell.valid = false;
         const auto [ours, first] =
-            std::mismatch(hashes.begin(), hashes.end(), expected_.begin(), expected_.end());
-        const bool is_image = ours + 1 >= hashes.end() && first + 1 >= expected_.end();
+            std::mismatch(hashes.begin(), hashes.end(), expected.begin(), expected.end());
+        const bool is_image = ours + 1 >= hashes.end() && first + 1 >= expected.end();
         cell.reason = is_image ? "the image differs from the first contender's"
                                : "hits differ from the first contender's, from bounce " +
                                      std::to_string(ours - hashes.begin()) + " on";
@@ -94,15 +98,15 @@ std::vector<Row> FrameContest::round(std::uint32_t number, std::vector<FrameEntr
         FrameEntrant& entrant = entrants[e];
         if (!results.cells[entrant.cell].valid) continue;
         if (stop()) return {};
-        frames[e].stages = renderer_.frame(*entrant.intersector, *entrant.shader, entrant.carry_t, number,
-                                           entrant.image, {});
+        frames[e].stages = entrant.pipeline->frame(entrant.carry_t, number, entrant.image, {});
         frames[e].image_hash = entrant.image.hash();
     }
     std::vector<Row> rows;
-    std::uint64_t expected = 0;
+    std::map<std::string, std::uint64_t> expected_images;
     for (std::size_t e = 0; e < entrants.size(); ++e) {
         CellResult& cell = results.cells[entrants[e].cell];
         if (frames[e].stages.empty()) continue;
+        std::uint64_t& expected = expected_images[cell.contender.backend];
         if (entrants[e].exact && expected == 0) expected = frames[e].image_hash;
         if (entrants[e].exact && frames[e].image_hash != expected) {
             cell.valid = false;

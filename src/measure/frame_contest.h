@@ -3,32 +3,35 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "measure/hit_judge.h"
 #include "measure/results.h"
-#include "wavefront/renderer.h"
+#include "wavefront/frame.h"
 
 namespace ctpbench {
 
 struct FrameEntrant {
     std::size_t cell;  // in Results::cells
-    const Intersector* intersector;
-    std::unique_ptr<Shader> shader;
+    std::unique_ptr<FramePipeline> pipeline;
     bool carry_t;
-    bool exact;  // must give the first exact entrant's hits and images bit for bit
+    bool exact;  // must give the hits and images of its backend's first exact entrant bit for bit
     ImageStorage image{};
 };
 
 class FrameContest {
 public:
     // `oracle` may be null.
-    FrameContest(Renderer& renderer, const GeometryView& geometry, CpuBackend& backend,
-                 const Intersector* oracle, std::uint32_t oracle_rays);
+    FrameContest(const GeometryView& geometry, CpuBackend& backend, const Intersector* oracle,
+                 std::uint32_t oracle_rays);
 
     // Renders a frame untimed, which also warms up; judges the hits of every bounce and compares hits and
-    // image with the first exact entrant's. Sets the cell's verdict; returns rows without a time.
+    // image with those of its backend's first exact entrant: the
+    // sine of an angle is not the same number on every device. Sets the cell's verdict; returns rows without
+    // a time.
     std::vector<Row> verify(FrameEntrant& entrant, CellResult& cell);
 
     // One round over all valid entrants. Stops early, keeping nothing of the round, when `stop` says so.
@@ -36,11 +39,13 @@ public:
                            const std::function<bool()>& stop);
 
 private:
-    Renderer& renderer_;
-    HitJudge judge_;
+    GeometryView geometry_;
+    CpuBackend& backend_;
+    const Intersector* oracle_;
     std::uint32_t oracle_rays_;
-    std::vector<std::uint64_t>
-        expected_;  // hashes of the first exact entrant: hits by bounce, then the image
+    std::map<std::string, HitJudge> judges_;  // by backend, since rays are the same within one alone
+    // By backend, hashes of the first exact entrant: hits by bounce, then the image.
+    std::map<std::string, std::vector<std::uint64_t>> expected_;
 };
 
 }  // namespace ctpbench

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "oracle/check.h"
-#include "wavefront/batch.h"
+#include "wavefront/batch_tracer.h"
 #include "wavefront/intersector.h"
 
 namespace ctpbench {
@@ -22,6 +22,8 @@ public:
 
     // `number` names the batch, `hash` the hits.
     Verdict judge_hits(std::size_t number, Batch& batch, HitStorage& hits, std::uint64_t hash);
+    // Of the batch that the tracer has traced last; its hits are fetched only if they are needed.
+    Verdict judge_hits(std::size_t number, Batch& batch, BatchTracer& tracer, std::uint64_t hash);
 
 private:
     CpuBackend& backend_;
@@ -31,8 +33,5 @@ private:
     std::map<std::size_t, HitStorage> oracle_hits_;
     std::map<std::pair<std::size_t, std::uint64_t>, Verdict> verdicts_;
 };
-
-// What an intersector is given to trace a batch.
-IntersectBuffers batch_buffers(Batch& batch, HitStorage& hits, const GeometryView& geometry);
 
 }  // namespace ctpbench

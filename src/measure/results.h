@@ -25,6 +25,7 @@ struct Row {
     std::uint32_t dropped = 0;     // samples of a direction in which nothing is reflected; they count as 0
     std::uint32_t clamped = 0;     // samples that were no number, infinite or negative; they count as 0
     std::uint64_t image_hash = 0;  // of the image so far, in rows of the blend kernel
+    double start_seconds = -1.0;   // after the frame's first kernel began; negative: not known
 
     double mrays_per_second() const { return seconds > 0.0 ? rays / seconds * 1e-6 : 0.0; }
 };

@@ -27,8 +27,7 @@ std::string table_text(const Config& config, const Results& results) {
     }
     if (results.cells.empty()) return out;
     std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-20s %s\n", "scene/spheres", "strategy",
-                  "Mrays/s", "95 % interval", ("/ " + config.reference).c_str(),
-                  (std::string("/ ") + kYardstick).c_str(), "hits");
+                  "Mrays/s", "95 % interval", ("/ " + config.reference).c_str(), "/ yardstick", "hits");
     out += line;
     for (const CellResult& c : results.cells) {
         const std::string_view kernel = main_kernel(c);
@@ -38,7 +37,7 @@ std::string table_text(const Config& config, const Results& results) {
         std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-20s %s\n", c.workload.name().c_str(),
                       c.contender.label().c_str(), fixed(speed.median, 3).c_str(), interval.c_str(),
                       with_interval(ratio_of(&c, reference_of(c, results, config.reference), kernel)).c_str(),
-                      with_interval(ratio_of(&c, results.find(c.workload, kYardstick), kernel)).c_str(),
+                      with_interval(ratio_of(&c, yardstick_of(c, results), kernel)).c_str(),
                       !c.valid    ? "REJECTED"
                       : c.checked ? "checked"
                                   : "unchecked");

@@ -1,5 +1,7 @@
 #include "report/figures.h"
 
+#include "wavefront/cuda_workload.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -44,10 +46,20 @@ std::string_view main_kernel(const CellResult& cell) {
 }
 
 const CellResult* reference_of(const CellResult& cell, const Results& results, const std::string& reference) {
-    if (!cell.contender.renders()) return results.find(cell.workload, reference);
     Contender like = cell.contender;
-    like.shade = reference;
+    if (cell.contender.renders()) {
+        like.shade = reference;
+    } else {
+        const Axes axes = default_axes();
+        like.strategy = reference, like.restart_carries_t = true;
+        like.traversal = axes.traversal.front(), like.methods = axes.methods.front();
+    }
     return results.find(cell.workload, like.label());
+}
+
+const CellResult* yardstick_of(const CellResult& cell, const Results& results) {
+    if (cell.contender.backend == "cpu") return results.find(cell.workload, kYardstick);
+    return results.find(cell.workload, std::string(kCudaYardstick) + "/" + cell.contender.backend);
 }
 
 Estimate throughput_of(const CellResult* cell, std::string_view kernel) {

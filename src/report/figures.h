@@ -9,7 +9,7 @@
 
 namespace ctpbench {
 
-// The contender that `ratio_to_yardstick` refers to.
+// The contender that `ratio_to_yardstick` refers to on the CPU.
 inline constexpr const char* kYardstick = "embree_robust";
 
 // The kernel by which a contender is judged where none is named: intersect, or shade if it renders.
@@ -18,6 +18,9 @@ std::string_view main_kernel(const CellResult& cell);
 // Who the ratios of a cell refer to: the contender of its workload that has the reference's name, as a
 // strategy or, if it renders, as a shade strategy.
 const CellResult* reference_of(const CellResult& cell, const Results& results, const std::string& reference);
+
+// The yardstick of the cell's backend on its workload; null if it was not measured.
+const CellResult* yardstick_of(const CellResult& cell, const Results& results);
 
 // Mrays/s of a kernel; all NaN if there is no such cell, or none that may be shown.
 Estimate throughput_of(const CellResult* cell, std::string_view kernel = "intersect");

@@ -21,11 +21,18 @@ std::vector<const CellResult*> frames(const Results& results) {
     return cells;
 }
 
-// The workloads that have frames, in order.
-std::vector<Workload> workloads(const Results& results) {
-    std::vector<Workload> all;
-    for (const CellResult* c : frames(results))
-        if (std::find(all.begin(), all.end(), c->workload) == all.end()) all.push_back(c->workload);
+// What is compared within itself alone.
+struct Section {
+    Workload workload;
+    std::string backend, launch;
+    bool operator==(const Section&) const = default;
+};
+std::vector<Section> sections(const Results& results) {
+    std::vector<Section> all;
+    for (const CellResult* c : frames(results)) {
+        const Section section{c->workload, c->contender.backend, c->contender.launch};
+        if (std::find(all.begin(), all.end(), section) == all.end()) all.push_back(section);
+    }
     return all;
 }
 
@@ -38,13 +45,17 @@ const CellResult* find_shade(const std::vector<const CellResult*>& cells, std::s
 std::string column_of(const CellResult& c) {
     std::string name = c.workload.scene;
     if (c.workload.spheres > 0) name += "+" + std::to_string(c.workload.spheres);
-    return name + "/" + c.contender.backend + "/" + c.contender.shade;
+    name += "/" + c.contender.backend + "/" + c.contender.shade;
+    const std::string& launch = c.contender.launch;
+    return launch.empty() || launch == default_axes().launch.front() ? name : name + "/" + launch;
 }
 
 paper::Table1Row printed_for(const CellResult& any, std::string_view kernel) {
     for (const paper::Table1Row& row : paper::table1)
-        if (row.scene == any.workload.scene && row.kernel == kernel && any.scene_source == "mesh") return row;
-    return {"", kernel, kNaN, kNaN, kNaN};
+        if (row.backend == any.contender.backend && row.scene == any.workload.scene && row.kernel == kernel &&
+            any.scene_source == "mesh")
+            return row;
+    return {"", "", kernel, kNaN, kNaN, kNaN};
 }
 
 std::string printed_ratio(double a, double b) { return a > 0 && b > 0 ? fixed(a / b, 2) : "n/a"; }
@@ -87,8 +98,7 @@ std::string shares_section(const std::vector<const CellResult*>& cells) {
                fixed(c->dropped_per_million(), 1) + " |\n";
     }
     out += "\nThe paper's text: shading takes about 10 % of what intersecting takes";
-    if (intersect.ctp > 0)
-        out += "; by its Table 1, ctp on its CPU " + fixed(100 * intersect.ctp / shade.ctp, 0) + " %";
+    if (intersect.ctp > 0) out += "; by its Table 1, ctp " + fixed(100 * intersect.ctp / shade.ctp, 0) + " %";
     return out + ".\n";
 }
 
@@ -129,17 +139,20 @@ std::string table1_csv(const Results& results) {
 std::string table1_markdown(const Results& results) {
     std::string out =
         "# Table 1: throughput of a bounce's kernels, Mrays/s\n\n"
-        "Paper: dual Xeon E5-2637 v2, 16 threads, CPU columns. Speeds do not travel between machines; "
+        "Paper: dual Xeon E5-2637 v2, 16 threads, and GeForce GTX 1080 Ti. Speeds do not travel between "
+        "machines; "
         "ratios\n"
         "within a machine do. Ours are medians over frames with 95 % bootstrap intervals.\n";
-    for (const Workload& workload : workloads(results)) {
+    for (const auto& [workload, backend, launch] : sections(results)) {
         std::vector<const CellResult*> cells;
         for (const CellResult* c : frames(results))
-            if (c->workload == workload) cells.push_back(c);
+            if (c->workload == workload && c->contender.backend == backend && c->contender.launch == launch)
+                cells.push_back(c);
         const CellResult& any = *cells.front();
-        out += "\n## " + workload.name() + " (" + any.scene_source + ", " + std::to_string(any.triangles) +
-               " triangles; intersect strategy " + any.contender.strategy + ")\n\n" + kernels_section(cells) +
-               shares_section(cells) + copies_section(cells);
+        out += "\n## " + workload.name() + ", " + backend + (launch.empty() ? "" : ", " + launch) + " (" +
+               any.scene_source + ", " + std::to_string(any.triangles) + " triangles; intersect strategy " +
+               any.contender.strategy + ")\n\n" + kernels_section(cells) + shares_section(cells) +
+               copies_section(cells);
     }
     return out;
 }
@@ -152,12 +165,15 @@ std::string figure4_csv(const Config& config, const Results& results) {
         for (const char* kernel : kKernels) {
             const Estimate seconds = seconds_of_kernel(c, kernel);
             if (c->find(kernel) == nullptr || !c->valid) continue;
-            out +=
-                csv_line({c->workload.scene, c->scene_source, std::to_string(c->triangles),
-                          std::to_string(c->workload.spheres), c->contender.backend, c->contender.shade,
-                          kernel, csv_number(seconds.median), csv_number(seconds.lo), csv_number(seconds.hi),
-                          std::to_string(c->find(kernel)->rays), std::to_string(config.bounces),
-                          std::to_string(config.width), std::to_string(config.height)});
+            out += csv_line(
+                {c->workload.scene, c->scene_source, std::to_string(c->triangles),
+                 std::to_string(c->workload.spheres), c->contender.backend,
+                 c->contender.shade + (c->contender.launch.empty() || c->contender.launch == "isolated"
+                                           ? ""
+                                           : "/" + c->contender.launch),
+                 kernel, csv_number(seconds.median), csv_number(seconds.lo), csv_number(seconds.hi),
+                 std::to_string(c->find(kernel)->rays), std::to_string(config.bounces),
+                 std::to_string(config.width), std::to_string(config.height)});
         }
     return out;
 }

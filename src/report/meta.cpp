@@ -7,7 +7,8 @@
 
 namespace ctpbench {
 std::string meta_json(const Config& config, const Results& results, const std::string& run_id,
-                      const std::string& state, const std::string& command, int threads) {
+                      const std::string& state, const std::string& command, int threads,
+                      const CudaDevice* device) {
     const nlohmann::json effective = to_json(config);
     const std::string text = effective.dump();
     nlohmann::json scenes = nlohmann::json::array(), trees = nlohmann::json::array();
@@ -26,6 +27,19 @@ std::string meta_json(const Config& config, const Results& results, const std::s
     for (const CellResult& c : results.cells)
         if (c.checked && c.verdict.rays > 0)
             verdicts[c.workload.name() + "/" + c.contender.label()] = c.verdict.text();
+    nlohmann::json gpu;
+    if (device != nullptr)
+        gpu = {{"device", device->number},
+               {"name", device->name},
+               {"multiprocessors", device->multiprocessors},
+               {"architecture", device->architecture},
+               {"memory_bytes", device->memory_bytes},
+               {"l2_bytes", device->l2_bytes},
+               {"highest_clock_khz", device->clock_khz},
+               {"highest_memory_clock_khz", device->memory_clock_khz},
+               {"ecc", device->ecc},
+               {"driver", device->driver},
+               {"runtime", device->runtime}};
     const nlohmann::json meta = {
         {"schema_version", 1},
         {"run_id", run_id},
@@ -35,6 +49,7 @@ std::string meta_json(const Config& config, const Results& results, const std::s
         {"config", effective},
         {"config_hash", hex(hash_bytes(text.data(), text.size()))},
         {"machine", describe_machine()},
+        {"gpu", gpu},
         {"build", describe_build()},
         {"scenes", scenes},
         {"trees", trees},

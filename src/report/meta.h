@@ -3,12 +3,14 @@
 
 #include <string>
 
+#include "backends/cuda.h"
 #include "config/config.h"
 #include "measure/results.h"
 
 namespace ctpbench {
 
 std::string meta_json(const Config& config, const Results& results, const std::string& run_id,
-                      const std::string& state, const std::string& command, int threads);
+                      const std::string& state, const std::string& command, int threads,
+                      const CudaDevice* device);
 
 }  // namespace ctpbench

@@ -37,7 +37,7 @@ std::string summary_csv(const Config& config, const Results& results) {
         const auto line = [&](std::string_view kernel, std::uint64_t rays, std::size_t rounds) {
             const Estimate speed = throughput_of(&c, kernel);
             const Estimate ratio = ratio_of(&c, reference, kernel);
-            const Estimate yardstick = ratio_of(&c, results.find(c.workload, kYardstick), kernel);
+            const Estimate yardstick = ratio_of(&c, yardstick_of(c, results), kernel);
             out += csv_line({c.workload.scene,
                              c.scene_source,
                              std::to_string(c.triangles),

@@ -30,6 +30,12 @@ Batch record_batch(std::uint32_t bounce, RayColumns rays, const std::vector<std:
     return batch;
 }
 
+IntersectBuffers batch_buffers(Batch& batch, HitStorage& hits, float extent) {
+    hits.resize(batch.rays.size());
+    return {batch.rays.view(), hits.view(), batch.index.data(), static_cast<std::uint32_t>(batch.rays.size()),
+            extent};
+}
+
 HitStorage record_hits(const Batch& batch, HitColumns hits) {
     HitStorage recorded;
     recorded.resize(batch.slots.size());

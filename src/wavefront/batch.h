@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/intersect.h"
 #include "wavefront/columns.h"
 
 namespace ctpbench {
@@ -14,12 +15,16 @@ struct Batch {
     RayStorage rays;
     std::vector<std::uint32_t> index;  // identity: the rays were gathered in the order of the slots
     std::vector<std::uint32_t> slots;  // where each ray was in the wavefront
+    std::uint64_t hit_hash = 0;        // of the hits that the pipeline found; 0: unknown
 };
 
 // Copies the rays in at most `limit` of the slots (0: all). A share is taken in runs of 1024 neighbours at
 // even distances, so that rays keep the coherence that they have in the whole.
 Batch record_batch(std::uint32_t bounce, RayColumns rays, const std::vector<std::uint32_t>& slots,
                    std::uint32_t limit);
+
+// What an intersector is given to trace a batch. `extent` is the scene's largest absolute coordinate.
+IntersectBuffers batch_buffers(Batch& batch, HitStorage& hits, float extent);
 
 // The hits of a batch's rays, from the same wavefront.
 HitStorage record_hits(const Batch& batch, HitColumns hits);

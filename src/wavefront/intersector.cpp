@@ -12,12 +12,13 @@ public:
     explicit CpuIntersector(const LayoutInput& input) : layout_(input) {}
 
     void intersect(CpuBackend& backend, const IntersectBuffers& io, bool carry_t) const override {
-        Strategy::intersect(layout_, io, carry_t, [&](std::uint32_t count, const auto& kernel) {
-            if (io.segment_counts == nullptr)
-                backend.for_each(count, kernel);
-            else
-                backend.for_each_in_segments(io.segments, kSegment, io.segment_counts, kernel);
-        });
+        Strategy::intersect(
+            layout_.view(HostPlace{}), io, carry_t, [&](std::uint32_t count, const auto& kernel) {
+                if (io.segment_counts == nullptr)
+                    backend.for_each(count, kernel);
+                else
+                    backend.for_each_in_segments(io.segments, kSegment, io.segment_counts, kernel);
+            });
     }
     std::size_t bytes() const override { return layout_.bytes(); }
 

@@ -3,46 +3,20 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "backends/cpu.h"
 #include "kernels/generate.h"
-#include "wavefront/columns.h"
 #include "wavefront/compaction.h"
+#include "wavefront/frame.h"
 #include "wavefront/intersector.h"
 #include "wavefront/scene_view.h"
 #include "wavefront/shader.h"
 #include "wavefront/sorting.h"
 
 namespace ctpbench {
-
-struct FrameSettings {
-    std::uint32_t width, height;
-    std::uint32_t bounces;  // intersections after the camera ray's
-    std::uint64_t seed;
-    bool copies = false;  // whether to time a plain copy of the index buffer at each bounce (a yardstick)
-};
-
-// One stage at one bounce. The name is the row's kernel: generate, intersect, copy, sort, shade, compact,
-// blend.
-struct StageTime {
-    const char* kernel;
-    std::uint32_t bounce;
-    std::uint32_t rays;
-    double seconds;
-    std::uint32_t dropped = 0;  // shade: samples to where nothing is reflected
-    std::uint32_t clamped = 0;  // blend: samples that were no number, infinite or negative
-};
-
-// What a bounce's rays hit, before they are shaded.
-struct BounceView {
-    std::uint32_t bounce;  // 0: camera rays
-    RayColumns rays;
-    HitColumns hits;
-    const std::vector<std::uint32_t>& slots;  // of the active paths, in the order of the wavefront
-};
-using BounceObserver = std::function<void(const BounceView&)>;
 
 class Renderer {
 public:
@@ -92,6 +66,23 @@ private:
     Array<std::uint32_t> segment_counts_, dropped_counts_;
 
     std::vector<StageTime> times_;
+};
+
+// A contender's pipeline on CPU threads. Renderer and intersector must outlive it.
+class CpuPipeline final : public FramePipeline {
+public:
+    CpuPipeline(Renderer& renderer, const Intersector& intersector, std::unique_ptr<Shader> shader)
+        : renderer_(renderer), intersector_(intersector), shader_(std::move(shader)) {}
+
+    std::vector<StageTime> frame(bool carry_t, std::uint32_t sample, ImageStorage& image,
+                                 const BounceObserver& observe) override {
+        return renderer_.frame(intersector_, *shader_, carry_t, sample, image, observe);
+    }
+
+private:
+    Renderer& renderer_;
+    const Intersector& intersector_;
+    std::unique_ptr<Shader> shader_;
 };
 
 }  // namespace ctpbench

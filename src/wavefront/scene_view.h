@@ -15,6 +15,8 @@ public:
 
     const GeometryView& geometry() const { return geometry_; }
     SurfaceAttributes attributes() const { return {scene_.mesh.texcoords.data(), scene_.texels.data()}; }
+    std::size_t texcoord_count() const { return scene_.mesh.texcoords.size(); }
+    std::size_t texel_count() const { return scene_.texels.size(); }
     MaterialWords words() const { return {words_.data(), geometry_.triangle_count, of_spheres_}; }
     MaterialInput materials() const;
     Vec3 ambient() const { return scene_.ambient; }

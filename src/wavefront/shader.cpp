@@ -13,7 +13,7 @@ public:
 
     PathOrder order() const override { return Strategy::order; }
     void shade(CpuBackend& backend, const ShadeBuffers& io, const ShadeWork& work) const override {
-        Strategy::shade(layout_, io, work,
+        Strategy::shade(layout_.view(HostPlace{}), io, work,
                         [&](std::uint32_t count, const auto& kernel, std::uint32_t grain = 1024) {
                             backend.for_each(count, kernel, grain);
                         });

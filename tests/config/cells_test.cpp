@@ -129,11 +129,28 @@ TEST(Cells, LabelsAreShortAndUnique) {
 TEST(Cells, FormatAsATable) {
     EXPECT_EQ(
         format_cells(cells_of(R"("matrix": {"spheres": [0, 10000], "strategy": ["ctp", "embree_robust"]})")),
-        "scene  spheres  sphere_radius  builder  backend  contender      traversal  methods\n"
-        "smoke  0        -              quality  cpu      ctp            single     watertight\n"
-        "smoke  0        -              quality  cpu      embree_robust  own        own\n"
-        "smoke  10000    0.03           quality  cpu      ctp            single     watertight\n"
-        "smoke  10000    0.03           quality  cpu      embree_robust  own        own\n");
+        "scene  spheres  sphere_radius  builder  backend  contender      traversal  methods     launch\n"
+        "smoke  0        -              quality  cpu      ctp            single     watertight  -\n"
+        "smoke  0        -              quality  cpu      embree_robust  own        own         -\n"
+        "smoke  10000    0.03           quality  cpu      ctp            single     watertight  -\n"
+        "smoke  10000    0.03           quality  cpu      embree_robust  own        own         -\n");
+}
+
+// A yardstick is a cell on its own backend alone, and how kernels are launched concerns frames on a GPU
+// alone.
+TEST(Cells, KnowWhatBackendsHave) {
+    const auto names = [](const std::string& matrix) {
+        std::vector<std::string> all;
+        for (const Cell& cell : cells_of(matrix)) all.push_back(cell.contender->label());
+        return all;
+    };
+    EXPECT_EQ(
+        names(
+            R"("matrix": {"backend": ["cpu", "cuda"], "strategy": ["ctp", "embree_robust", "while_while"]})"),
+        (std::vector<std::string>{"ctp", "embree_robust", "ctp/cuda", "while_while/cuda"}));
+    EXPECT_EQ(names(R"("matrix": {"backend": ["cpu", "cuda"], "strategy": "restart", "shade": "ctp",
+                       "launch": ["isolated", "graph"]})"),
+              (std::vector<std::string>{"restart+ctp", "restart+ctp/cuda", "restart+ctp/cuda/graph"}));
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
                                    {false, true},
                                    {"packet"},
                                    {"paper"},
-                                   {"sort", "ctp"}}));
+                                   {"sort", "ctp"},
+                                   {"isolated"}}));
     EXPECT_EQ(config.height, 16384u);
     EXPECT_EQ(config.seed, 18'446'744'073'709'551'615u);
     EXPECT_EQ(config.reference, "ctp");
@@ -84,14 +85,14 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         "t.json:3:32: error: /matrix/spheres/3: is here twice; remove one of the two\n"
         "t.json:4:23: error: /matrix/strategy/1: unknown strategy \"opp\"; did you mean \"oop\"? choices: "
         "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
-        "\"embree_default\"\n"
+        "\"embree_default\", \"while_while\"\n"
         "t.json:4:40: error: /matrix/scene: an axis needs a value; give one, or remove the key\n"
         "t.json:5:11: error: /rounds: must be from 1 to 10000, found 0\n"
         "t.json:5:14: error: /widht: unknown key; did you mean \"width\"?\n"
         "t.json:5:34: error: /seed: expected an integer written without point or exponent, found 1.5\n"
         "t.json:6:14: error: /reference: unknown strategy \"cpt\"; did you mean \"ctp\"? choices: "
         "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
-        "\"embree_default\", \"sort\", \"sort_restored\", \"queues\"\n"
+        "\"embree_default\", \"while_while\", \"sort\", \"sort_restored\", \"queues\"\n"
         "t.json:6:42: error: /tables/1: unknown table \"table9\"; did you mean \"table2\"? choices: "
         "\"table2\", \"table3\", \"table1\", \"figure4\"\n"
         "t.json:6:52: error: /tables/2: is here twice; remove one of the two");
@@ -100,8 +101,8 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
 TEST(Config, RefusesImpossibleAxes) {
     EXPECT_EQ(error_of("\"matrix\": {\"sphere_radius\": [0.1, 0]}}"),
               "t.json:2:35: error: /matrix/sphere_radius/1: must be greater than 0 and at most 10, found 0");
-    EXPECT_EQ(error_of("\"matrix\": {\"backend\": \"cuda\"}}"),
-              "t.json:2:23: error: /matrix/backend: unknown backend \"cuda\"; choices: \"cpu\"");
+    EXPECT_EQ(error_of("\"matrix\": {\"backend\": \"hip\"}}"),
+              "t.json:2:23: error: /matrix/backend: unknown backend \"hip\"; choices: \"cpu\", \"cuda\"");
     EXPECT_EQ(error_of("\"matrix\": {\"scene\": \"x/y\"}}"),
               "t.json:2:21: error: /matrix/scene: give a scene file's name without folder and \".json\"; "
               "--scene-dir adds folders");
@@ -248,7 +249,7 @@ TEST(Config, EchoHasEveryDefault) {
     EXPECT_EQ(echo["height"], 1024);
     EXPECT_EQ(echo["matrix"]["methods"], nlohmann::json::array({"watertight"}));
     EXPECT_EQ(echo["matrix"]["shade"], nlohmann::json::array({"none"}));
-    EXPECT_EQ(echo["matrix"].size(), 10u);
+    EXPECT_EQ(echo["matrix"].size(), 11u);
 }
 
 TEST(Config, EditsApplyBeforeReading) {

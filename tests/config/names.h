@@ -11,7 +11,7 @@ namespace ctpbench {
 inline KnownNames test_names() {
     KnownNames known;
     known.strategies = {"ctp", "std_variant", "oop", "oop_arena", "restart", "typed_leaves"};
-    known.yardsticks = {"embree_robust", "embree_default"};
+    known.yardsticks = {{"embree_robust", "cpu"}, {"embree_default", "cpu"}, {"while_while", "cuda"}};
     known.traversals = {"single", "packet"};
     known.methods = {"watertight", "paper"};
     known.builders = {"quality", "paper"};

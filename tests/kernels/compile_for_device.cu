@@ -17,22 +17,25 @@ __global__ void run(Kernel kernel, std::uint32_t count) {
 template <class Methods>
 void launch_strategies(const LayoutInput& input, const IntersectBuffers& io) {
     const auto launch = [](std::uint32_t count, const auto& kernel) { run<<<1, 1>>>(kernel, count); };
-    Ctp<Methods>::intersect(typename Ctp<Methods>::Layout(input), io, true, launch);
-    StdVariant<Methods>::intersect(typename StdVariant<Methods>::Layout(input), io, true, launch);
-    Restart<Methods>::intersect(typename Restart<Methods>::Layout(input), io, true, launch);
-    TypedLeaves<Methods>::intersect(typename TypedLeaves<Methods>::Layout(input), io, true, launch);
+    const HostPlace place;
+    Ctp<Methods>::intersect(typename Ctp<Methods>::Layout(input).view(place), io, true, launch);
+    StdVariant<Methods>::intersect(typename StdVariant<Methods>::Layout(input).view(place), io, true, launch);
+    Restart<Methods>::intersect(typename Restart<Methods>::Layout(input).view(place), io, true, launch);
+    TypedLeaves<Methods>::intersect(typename TypedLeaves<Methods>::Layout(input).view(place), io, true,
+                                    launch);
 }
 
 template <class Strategy>
 void launch_shade(const MaterialInput& materials, const ShadeBuffers& io, const ShadeWork& work) {
     const typename Strategy::Layout layout(materials);
-    Strategy::shade(layout, io, work,
+    Strategy::shade(layout.view(HostPlace{}), io, work,
                     [](std::uint32_t count, const auto& kernel, auto...) { run<<<1, 1>>>(kernel, count); });
 }
 
 void instantiate(const MaterialInput& materials, const ShadeBuffers& shading, const ShadeWork& work) {
     launch_shade<ShadeCtp>(materials, shading, work);
     launch_shade<ShadeStdVariant>(materials, shading, work);
+    launch_shade<ShadeSortRestored>(materials, shading, work);
     launch_shade<ShadeSort>(materials, shading, work);
     launch_shade<ShadeQueues>(materials, shading, work);
 }

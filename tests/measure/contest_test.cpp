@@ -5,6 +5,7 @@
 
 #include "oracle/embree.h"
 #include "support.h"
+#include "wavefront/cpu_tracer.h"
 #include "wavefront/frames.h"
 
 namespace ctpbench {
@@ -41,13 +42,16 @@ protected:
                          batches_.push_back(record_batch(view.bounce, view.rays, view.slots, 2000));
                      });
     }
+    std::unique_ptr<BatchTracer> traces(const Intersector& intersector) {
+        return std::make_unique<CpuTracer>(backend_, intersector, view_.geometry().extent);
+    }
     CellResult verdict_on(const Intersector& intersector, bool exact = true) {
         Contest contest(backend_, view_.geometry(), batches_, oracle_.get(), 0);
         CellResult first, cell;
-        Entrant reference{0, ctp_, true, true, true, {}};
+        Entrant reference{0, traces(*ctp_), true, true, true, {}};
         contest.verify(reference, first);
         EXPECT_TRUE(first.valid) << first.reason;
-        Entrant entrant{0, &intersector, true, exact, true, {}};
+        Entrant entrant{0, traces(intersector), true, exact, true, {}};
         const std::vector<Row> rows = contest.verify(entrant, cell);
         EXPECT_EQ(rows.size(), batches_.size());
         EXPECT_EQ(rows[0].hit_hash, entrant.hashes[0]);
@@ -90,7 +94,9 @@ TEST_F(ContestTest, NoticesHitsThatChangeBetweenRuns) {
     const Broken broken(*ctp_, 50, true);
     Results results;
     results.cells.resize(2);
-    std::vector<Entrant> entrants{{0, ctp_, true, true, true, {}}, {1, &broken, true, false, false, {}}};
+    std::vector<Entrant> entrants;
+    entrants.push_back({0, traces(*ctp_), true, true, true, {}});
+    entrants.push_back({1, traces(broken), true, false, false, {}});
     for (Entrant& e : entrants) contest.verify(e, results.cells[e.cell]);
     results.cells[1].valid = true;
     contest.round(0, entrants, results, [] { return false; });
@@ -102,7 +108,9 @@ TEST_F(ContestTest, ARoundTimesEveryEntrantOnEveryBatch) {
     Contest contest(backend_, view_.geometry(), batches_, oracle_.get(), 0);
     Results results;
     results.cells.resize(2);
-    std::vector<Entrant> entrants{{0, ctp_, true, true, true, {}}, {1, restart_.get(), true, true, true, {}}};
+    std::vector<Entrant> entrants;
+    entrants.push_back({0, traces(*ctp_), true, true, true, {}});
+    entrants.push_back({1, traces(*restart_), true, true, true, {}});
     for (Entrant& e : entrants) contest.verify(e, results.cells[e.cell]);
     for (std::uint32_t round = 0; round < 3; ++round) {
         const std::vector<Row> rows = contest.round(round, entrants, results, [] { return false; });

@@ -45,11 +45,12 @@ protected:
         if (!embree_version().empty()) oracle_ = make_embree(scene_, EmbreeMode::robust, 2);
     }
     FrameContest contest() {
-        return FrameContest(renderer_, stage_.view.geometry(), stage_.backend, oracle_.get(), 1000);
+        return FrameContest(stage_.view.geometry(), stage_.backend, oracle_.get(), 1000);
     }
     std::unique_ptr<Shader> shader(const char* name) { return make_shader(name, stage_.view.materials()); }
     FrameEntrant entrant(std::size_t cell, std::unique_ptr<Shader> shader) {
-        return {cell, stage_.intersector.get(), std::move(shader), true, true};
+        return {cell, std::make_unique<CpuPipeline>(renderer_, *stage_.intersector, std::move(shader)), true,
+                true};
     }
     CellResult verdict_on(std::unique_ptr<Shader> contender) {
         FrameContest judged = contest();

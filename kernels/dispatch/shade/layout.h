@@ -4,6 +4,7 @@
 #include "../../array.h"
 #include "../../path_queues.h"
 #include "../../shade.h"
+#include "../place.h"
 
 namespace ctpbench {
 

@@ -31,17 +31,17 @@ struct ShadeOop {
                 pointers_.push_back(objects_.back().get());
             });
         }
-        VirtualMaterials view() const { return {pointers_.data()}; }
+        // Of the host alone: objects are constructed where their virtual tables are.
+        VirtualMaterials view(HostPlace) const { return {pointers_.data()}; }
 
     private:
         std::vector<std::unique_ptr<MaterialBase>> objects_;
         Array<const MaterialBase*> pointers_;
     };
 
-    template <class ForEach>
-    static void shade(const Layout& layout, const ShadeBuffers& io, const ShadeWork& work,
-                      ForEach&& for_each) {
-        shade_in_one_kernel(layout.view(), io, work, for_each);
+    template <class View, class ForEach>
+    static void shade(const View& view, const ShadeBuffers& io, const ShadeWork& work, ForEach&& for_each) {
+        shade_in_one_kernel(view, io, work, for_each);
     }
 };
 

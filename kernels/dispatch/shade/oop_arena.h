@@ -26,7 +26,8 @@ struct ShadeOopArena {
                 pointers_.push_back(&arena<T>().emplace_back(material));
             });
         }
-        VirtualMaterials view() const { return {pointers_.data()}; }
+        // Of the host alone: objects are constructed where their virtual tables are.
+        VirtualMaterials view(HostPlace) const { return {pointers_.data()}; }
 
     private:
         template <class T>
@@ -38,10 +39,9 @@ struct ShadeOopArena {
         Array<const MaterialBase*> pointers_;
     };
 
-    template <class ForEach>
-    static void shade(const Layout& layout, const ShadeBuffers& io, const ShadeWork& work,
-                      ForEach&& for_each) {
-        shade_in_one_kernel(layout.view(), io, work, for_each);
+    template <class View, class ForEach>
+    static void shade(const View& view, const ShadeBuffers& io, const ShadeWork& work, ForEach&& for_each) {
+        shade_in_one_kernel(view, io, work, for_each);
     }
 };
 

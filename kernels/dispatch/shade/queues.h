@@ -12,9 +12,10 @@ struct ShadeQueues {
     static constexpr const char* name = "queues";
     static constexpr PathOrder order = PathOrder::queued;
     using Layout = TypedMaterialArrays;
+    using View = TypedMaterialArrays::View;
 
     struct Kernel {
-        Layout::View materials;
+        View materials;
         ShadeBuffers io;
         PathQueues queues;
         std::uint32_t *survivors, *survivor_counts, *dropped_counts;
@@ -41,12 +42,9 @@ struct ShadeQueues {
     };
 
     template <class ForEach>
-    static void shade(const Layout& layout, const ShadeBuffers& io, const ShadeWork& work,
-                      ForEach&& for_each) {
-        for_each(
-            work.segments,
-            Kernel{layout.view(), io, work.queues, work.survivors, work.survivor_counts, work.dropped_counts},
-            1);
+    static void shade(const View& view, const ShadeBuffers& io, const ShadeWork& work, ForEach&& for_each) {
+        for_each(work.segments,
+                 Kernel{view, io, work.queues, work.survivors, work.survivor_counts, work.dropped_counts}, 1);
     }
 };
 

@@ -15,6 +15,7 @@ template <PathOrder kOrder>
 struct SortedShading {
     static constexpr PathOrder order = kOrder;
     using Layout = TypedMaterialArrays;
+    using View = TypedMaterialArrays::View;
 
     // The paths of one key, in sorted order.
     struct Range {
@@ -48,13 +49,11 @@ struct SortedShading {
     };
 
     template <class ForEach>
-    static void shade(const Layout& layout, const ShadeBuffers& io, const ShadeWork& work,
-                      ForEach&& for_each) {
+    static void shade(const View& view, const ShadeBuffers& io, const ShadeWork& work, ForEach&& for_each) {
         const auto launch = [&](std::uint32_t key, const auto& make) {
             const std::uint32_t first = work.key_offsets[key], count = work.key_offsets[key + 1] - first;
             if (count > 0) for_each(count, make(Range{io, work.positions, first}));
         };
-        const Layout::View view = layout.view();
         for_each_type(Materials{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
             launch(material_type<T>, [&](const Range& range) {

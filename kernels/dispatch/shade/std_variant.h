@@ -20,10 +20,9 @@ struct ShadeStdVariant {
     };
     using Layout = SumTypeMaterials<Element, Visit>;
 
-    template <class ForEach>
-    static void shade(const Layout& layout, const ShadeBuffers& io, const ShadeWork& work,
-                      ForEach&& for_each) {
-        shade_in_one_kernel(layout.view(), io, work, for_each);
+    template <class View, class ForEach>
+    static void shade(const View& view, const ShadeBuffers& io, const ShadeWork& work, ForEach&& for_each) {
+        shade_in_one_kernel(view, io, work, for_each);
     }
 };
 

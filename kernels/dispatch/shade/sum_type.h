@@ -23,7 +23,10 @@ public:
     explicit SumTypeMaterials(const MaterialInput& in) {
         in.for_each([&](const auto& material) { elements_.push_back(Element(material)); });
     }
-    Table view() const { return {elements_.data()}; }
+    template <class Place>
+    Table view(const Place& place) const {
+        return {place(elements_.data(), elements_.size())};
+    }
 
 private:
     Array<Element> elements_;

@@ -23,11 +23,13 @@ public:
             std::get<Array<std::remove_cvref_t<decltype(material)>>>(arrays_).push_back(material);
         });
     }
-    View view() const {
+    template <class Place>
+    View view(const Place& place) const {
         View view{};
         for_each_type(Materials{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
-            static_cast<TypedMaterials<T>&>(view) = {std::get<Array<T>>(arrays_).data(),
+            const Array<T>& array = std::get<Array<T>>(arrays_);
+            static_cast<TypedMaterials<T>&>(view) = {place(array.data(), array.size()),
                                                      in_.first[material_type<T>]};
         });
         return view;

@@ -1,0 +1,61 @@
+// A contender's frames on a CUDA device. The host launches a whole frame without reading anything back: how
+// many paths are active is the device's own knowledge.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "kernels/generate.h"
+#include "wavefront/cuda_workload.h"
+#include "wavefront/device_intersector.cuh"
+#include "wavefront/device_shader.cuh"
+#include "wavefront/device_wavefront.cuh"
+#include "wavefront/frame_clock.cuh"
+
+namespace ctpbench {
+
+class CudaPipeline final : public FramePipeline {
+public:
+    // Intersector and buffers must outlive it.
+    CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr<DeviceShader> shader,
+                 CudaLaunch launch, DeviceWavefront& wavefront, const SceneView& scene, const Camera& camera,
+                 const FrameSettings& settings);
+    ~CudaPipeline() override;
+
+    std::vector<StageTime> frame(bool carry_t, std::uint32_t sample, ImageStorage& image,
+                                 const BounceObserver& observe) override;
+
+private:
+    void launch_frame(bool carry_t, std::uint32_t sample, const BounceObserver& observe);
+    void generate(std::uint32_t sample);
+    void intersect(std::uint32_t bounce, bool carry_t);
+    void copy(std::uint32_t bounce);
+    void sort(std::uint32_t bounce);
+    void shade(std::uint32_t bounce, std::uint32_t sample);
+    bool sorts() const;
+    void compact(std::uint32_t bounce);
+    void show(std::uint32_t bounce, const BounceObserver& observe);
+    void run_graph(bool carry_t, std::uint32_t sample);
+    std::vector<StageTime> stage_times() const;
+    BounceCounts* counts(std::uint32_t bounce) const { return wavefront_.counts.data() + bounce; }
+
+    const DeviceIntersector& intersector_;
+    std::unique_ptr<DeviceShader> shader_;
+    CudaLaunch launch_;
+    DeviceWavefront& wavefront_;
+    CameraFrame camera_;
+    FrameSettings settings_;
+    Vec3 ambient_;
+    std::uint32_t current_ = 0;  // of the two index buffers
+
+    DeviceStream stream_;
+    std::array<DeviceStream, kShadeKeys> streams_;  // of the kernels of one type each
+    DeviceEvent forked_;
+    std::array<DeviceEvent, kShadeKeys> joined_;
+    FrameClock clock_;
+    std::array<std::string, kShadeKeys> part_names_;
+    cudaGraphExec_t graph_ = nullptr;
+};
+
+}  // namespace ctpbench

@@ -1,0 +1,43 @@
+// A workload's scene, trees and batches on a CUDA device, and its contenders there. Plain C++ to its users.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "kernels/dispatch/layout.h"
+#include "wavefront/batch_tracer.h"
+#include "wavefront/frame.h"
+#include "wavefront/scene_view.h"
+
+namespace ctpbench {
+
+// How a frame's kernels are launched. Isolated: one after another in one stream, so that each stage's time is
+// its own. Concurrent: a shade kernel per type, each in a stream of its own. Graph: as concurrent, the whole
+// frame captured once as a graph and launched by one call.
+enum class CudaLaunch { isolated, concurrent, graph };
+
+// By its name in configs.
+inline CudaLaunch cuda_launch(const std::string& name) {
+    return name == "graph"        ? CudaLaunch::graph
+           : name == "concurrent" ? CudaLaunch::concurrent
+                                  : CudaLaunch::isolated;
+}
+
+class CudaWorkload {
+public:
+    virtual ~CudaWorkload() = default;
+    // Names must be registered. What differs only in how it is launched shares its layout.
+    virtual std::unique_ptr<BatchTracer> tracer(const std::string& strategy, const std::string& methods) = 0;
+    // All pipelines of a workload have the same settings.
+    virtual std::unique_ptr<FramePipeline> pipeline(const std::string& strategy, const std::string& methods,
+                                                    const std::string& shade, CudaLaunch launch,
+                                                    const Camera& camera, const FrameSettings& settings) = 0;
+};
+
+// All of these must outlive it. The device is that which use_cuda_device() has chosen.
+std::unique_ptr<CudaWorkload> make_cuda_workload(const SceneView& scene, const LayoutInput& layout);
+
+// The yardsticks that CUDA has.
+inline constexpr const char* kCudaYardstick = "while_while";
+
+}  // namespace ctpbench

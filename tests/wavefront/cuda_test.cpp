@@ -1,0 +1,154 @@
+// What holds of the CUDA backend on a device: hits are the CPU's bit for bit, images are the same whatever
+// the strategy and the way of launching, and they are the CPU's but for noise. Skipped where there is no
+// device.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "backends/cuda.h"
+#include "support.h"
+#include "wavefront/cpu_tracer.h"
+#include "wavefront/cuda_workload.h"
+#include "wavefront/frames.h"
+#include "wavefront/motley.h"
+
+namespace ctpbench {
+namespace {
+
+class Cuda : public testing::Test {
+protected:
+    void SetUp() override {
+        if (const std::string why = cuda_obstacle(0); !why.empty()) GTEST_SKIP() << why;
+        use_cuda_device(0);
+    }
+};
+
+Batch batch_of(const Scene& scene, std::uint32_t count) {
+    Batch batch;
+    batch.active = count;
+    batch.rays.resize(count);
+    const Box box = scene_bounds(scene);
+    test::Random random(5);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Vec3 d = random.direction();
+        if (i % 4 == 2) d[i % 3] = 0.0f;
+        const Vec3 origin =
+            box.center() + (i % 2 == 0 ? 1.0f : 3.0f) * (box.extent() * random.point(-0.5f, 0.5f));
+        batch.rays.view().store(i, {origin, d, i % 32 == 0 ? 0.3f * length(box.extent()) : test::kInfinity});
+        batch.index.push_back(count - 1 - i);
+    }
+    return batch;
+}
+
+TEST_F(Cuda, HitsAreTheCpusBitForBit) {
+    for (const auto& [triangles, spheres] : {std::pair{600u, 200u}, {600u, 0u}, {0u, 600u}, {1u, 1u}})
+        for (const float scale : {1.0f, 1e-6f, 1e6f}) {
+            const Scene scene = test::soup(triangles, spheres, 17, scale, {0, 0, 3 * scale});
+            test::Stage stage(scene, 2);
+            Batch batch = batch_of(scene, 20001);
+            const float extent = stage.view.geometry().extent;
+            const std::uint64_t expected =
+                CpuTracer(stage.backend, *stage.intersector, extent).trace(batch, true).hash;
+            const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
+            const auto workload = make_cuda_workload(stage.view, layout);
+            for (const StrategyInfo& strategy : intersect_strategies())
+                for (const bool carry_t : {true, false}) {
+                    const auto tracer = workload->tracer(strategy.name, "watertight");
+                    const BatchTracer::Traced traced = tracer->trace(batch, carry_t);
+                    EXPECT_EQ(traced.hash, expected)
+                        << strategy.name << ", carry_t " << carry_t << ", scale " << scale;
+                    EXPECT_GT(traced.seconds, 0.0);
+                    EXPECT_EQ(tracer->hits().hash(), expected) << "what comes back is what was compared";
+                }
+        }
+}
+
+TEST_F(Cuda, YardstickAgreesAlmostEverywhere) {
+    const Scene scene = test::soup(3000, 0, 17);
+    test::Stage stage(scene, 2);
+    Batch batch = batch_of(scene, 20001);
+    CpuTracer cpu(stage.backend, *stage.intersector, stage.view.geometry().extent);
+    cpu.trace(batch, true);
+    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
+    const auto workload = make_cuda_workload(stage.view, layout);
+    const auto tracer = workload->tracer(kCudaYardstick, "own");
+    tracer->trace(batch, true);
+    int different = 0;
+    for (std::uint32_t i = 0; i < batch.rays.size(); ++i)
+        different += tracer->hits().view().primitive[i] != cpu.hits().view().primitive[i];
+    EXPECT_LT(different, 100);
+}
+
+const FrameSettings kSettings{131, 67, 6, 9};
+
+TEST_F(Cuda, ImagesAreTheSameBitForBitAndTheCpusButForNoise) {
+    const Scene scene = test::motley();
+    test::Stage stage(scene, 2);
+    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
+    const auto workload = make_cuda_workload(stage.view, layout);
+    constexpr std::uint32_t samples = 16;
+    std::uint64_t expected = 0;
+    std::vector<std::uint32_t> paths, dropped;
+    ImageStorage image;
+    for (const std::string& shade : shade_strategies())
+        for (const CudaLaunch launch : {CudaLaunch::isolated, CudaLaunch::concurrent, CudaLaunch::graph}) {
+            const auto pipeline = workload->pipeline("typed_leaves", "watertight", shade, launch,
+                                                     test::kMotleyCamera, kSettings);
+            image = {};
+            std::vector<std::uint32_t> its_paths, its_dropped;
+            for (std::uint32_t s = 0; s < samples; ++s)
+                for (const StageTime& stage_time : pipeline->frame(true, s, image, {})) {
+                    EXPECT_GE(stage_time.start, 0.0);
+                    if (std::string(stage_time.kernel) != "shade") continue;
+                    its_paths.push_back(stage_time.rays), its_dropped.push_back(stage_time.dropped);
+                }
+            if (expected == 0) expected = image.hash(), paths = its_paths, dropped = its_dropped;
+            EXPECT_EQ(image.hash(), expected) << shade << ", launch " << static_cast<int>(launch);
+            EXPECT_EQ(its_paths, paths) << shade;
+            EXPECT_EQ(its_dropped, dropped) << shade;
+        }
+
+    // Sines and powers differ in their last bits, so a path or two in a thousand goes another way.
+    const test::Frames cpu = test::render(stage, test::kMotleyCamera, kSettings, samples, "ctp");
+    double sum = 0.0, cpu_sum = 0.0, worst = 0.0;
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const double a = image.at(i).y, b = cpu.image.at(i).y;
+        sum += a, cpu_sum += b, worst = std::max(worst, std::fabs(a - b));
+        differing += std::fabs(a - b) > 1e-4 * (1.0 + b);
+    }
+    EXPECT_NEAR(sum / cpu_sum, 1.0, 0.003);
+    EXPECT_LT(differing, image.size() / 20) << "largest difference " << worst;
+}
+
+// A frame that is watched bounce by bounce shows the same rays and hits as every other strategy's.
+TEST_F(Cuda, BouncesShowWhatWasHit) {
+    const Scene scene = test::motley();
+    test::Stage stage(scene, 2);
+    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
+    const auto workload = make_cuda_workload(stage.view, layout);
+    std::vector<std::uint64_t> expected;
+    for (const char* shade : {"ctp", "sort", "queues"}) {
+        std::vector<std::uint64_t> hashes;
+        ImageStorage image;
+        workload->pipeline("ctp", "watertight", shade, CudaLaunch::concurrent, test::kMotleyCamera, kSettings)
+            ->frame(true, 0, image, [&](const BounceView& view) {
+                std::vector<std::uint32_t> slots = view.slots;
+                std::sort(slots.begin(), slots.end());
+                Batch batch = record_batch(view.bounce, view.rays, slots, 0);
+                hashes.push_back(record_hits(batch, view.hits).hash());
+                const std::uint64_t cpu =
+                    CpuTracer(stage.backend, *stage.intersector, stage.view.geometry().extent)
+                        .trace(batch, true)
+                        .hash;
+                EXPECT_EQ(hashes.back(), cpu) << shade << ", bounce " << view.bounce;
+            });
+        if (expected.empty()) expected = hashes;
+        EXPECT_EQ(hashes, expected) << shade;
+        EXPECT_EQ(hashes.size(), 7u);
+    }
+}
+
+}  // namespace
+}  // namespace ctpbench
