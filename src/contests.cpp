@@ -5,6 +5,7 @@
 #include "oracle/embree.h"
 #include "report/image.h"
 #include "wavefront/cpu_tracer.h"
+#include "wavefront/device_demand.h"
 #include "wavefront/renderer.h"
 
 namespace ctpbench {
@@ -48,26 +49,12 @@ void run_rounds(const RunContext& run, Contest& contest, Entrants& entrants) {
     }
 }
 
-Renderer renderer_of(const RunContext& run, const ContestInput& input, bool copies) {
-    const Config& c = run.config;
-    return Renderer(run.backend, input.view, input.scene.camera,
-                    {c.width, c.height, c.bounces, c.seed, copies});
+FrameSettings frame_settings(const Config& c, bool copies) {
+    return {c.width, c.height, c.bounces, c.seed, copies};
 }
 
-std::vector<Batch> record_frame(const RunContext& run, const ContestInput& input) {
-    run.progress.step("tracing the reference frame", kFrame);
-    std::vector<Batch> batches;
-    ImageStorage image;
-    const auto shader = make_shader("ctp", input.view.materials());
-    renderer_of(run, input, false)
-        .frame(input.lineup.get(run.config.reference, Watertight::name), *shader, true, 0, image,
-               [&](const BounceView& view) {
-                   stop_if_interrupted();
-                   Batch& batch = batches.emplace_back(
-                       record_batch(view.bounce, view.rays, view.slots, run.config.batch_rays));
-                   batch.hit_hash = record_hits(batch, view.hits).hash();
-               });
-    return batches;
+Renderer renderer_of(const RunContext& run, const ContestInput& input, bool copies) {
+    return Renderer(run.backend, input.view, input.scene.camera, frame_settings(run.config, copies));
 }
 
 // What the first valid contender has accumulated; the others have the same.
@@ -92,21 +79,52 @@ std::unique_ptr<BatchTracer> tracer_of(const RunContext& run, const ContestInput
 
 std::unique_ptr<FramePipeline> pipeline_of(const RunContext& run, const ContestInput& input,
                                            Renderer& renderer, const Contender& c) {
-    if (c.backend == "cuda") {
-        const Config& config = run.config;
+    if (c.backend == "cuda")
         return input.cuda->pipeline(c.strategy, c.methods, c.shade, cuda_launch(c.launch), input.scene.camera,
-                                    {config.width, config.height, config.bounces, config.seed, true});
-    }
+                                    frame_settings(run.config, true));
     return std::make_unique<CpuPipeline>(renderer, input.lineup.get(c.strategy, c.methods),
                                          make_shader(c.shade, input.view.materials()));
 }
 
 }  // namespace
 
-void run_intersect_contest(const RunContext& run, const ContestInput& input,
+std::vector<Batch> record_frame(const RunContext& run, const ContestInput& input) {
+    run.progress.step("tracing the reference frame", kFrame);
+    std::vector<Batch> batches;
+    ImageStorage image;
+    const auto shader = make_shader("ctp", input.view.materials());
+    renderer_of(run, input, false)
+        .frame(input.lineup.get(run.config.reference, Watertight::name), *shader, true, 0, image,
+               [&](const BounceView& view) {
+                   stop_if_interrupted();
+                   Batch& batch = batches.emplace_back(
+                       record_batch(view.bounce, view.rays, view.slots, run.config.batch_rays));
+                   batch.hit_hash = record_hits(batch, view.hits).hash();
+               });
+    return batches;
+}
+
+std::unique_ptr<CudaWorkload> cuda_workload(const RunContext& run, ContestInput& input,
+                                            const LayoutInput& layout,
+                                            const std::vector<Contender>& contenders) {
+    DeviceDemand demand;
+    for (const Contender& c : contenders) {
+        if (c.backend != "cuda") continue;
+        demand.intersectors.insert({c.strategy, c.methods});
+        if (!c.renders()) continue;
+        demand.shaders.push_back(c.shade);
+        demand.frames = frame_settings(run.config, true);
+    }
+    if (demand.intersectors.empty()) return nullptr;
+    run.progress.step("counting what the device will hold", kFrame);
+    require_device_memory(input.workload.name(), bytes_demanded(demand, input.view, layout, input.batches),
+                          cuda_memory());
+    return make_cuda_workload(input.view, layout, input.batches);
+}
+
+void run_intersect_contest(const RunContext& run, ContestInput& input,
                            const std::vector<Contender>& contenders) {
-    std::vector<Batch> batches = record_frame(run, input);
-    Contest contest(run.backend, input.view.geometry(), batches, input.oracle, run.config.oracle_rays);
+    Contest contest(run.backend, input.view.geometry(), input.batches, input.oracle, run.config.oracle_rays);
     std::vector<Entrant> entrants;
     for (const Contender& c : contenders) {
         const bool yardstick = c.methods == own_way;

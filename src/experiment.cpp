@@ -181,8 +181,9 @@ private:
         stop_if_interrupted();
         std::vector<Contender> intersecting, rendering;
         for (const Contender& c : cells.contenders) (c.renders() ? rendering : intersecting).push_back(c);
-        const std::unique_ptr<CudaWorkload> cuda = device_ ? make_cuda_workload(view, layout) : nullptr;
-        const ContestInput input{cells.workload, scene, view, lineup, cuda.get(), oracle, in_results};
+        ContestInput input{cells.workload, scene, view, lineup, oracle, in_results};
+        if (!intersecting.empty()) input.batches = record_frame(context_, input);
+        input.cuda = cuda_workload(context_, input, layout, cells.contenders);
         if (!intersecting.empty()) run_intersect_contest(context_, input, intersecting);
         if (!rendering.empty()) run_frame_contest(context_, input, rendering);
     }
