@@ -10,8 +10,8 @@
 #include "wavefront/cuda_workload.h"
 #include "wavefront/device_intersector.cuh"
 #include "wavefront/device_shader.cuh"
-#include "wavefront/device_wavefront.cuh"
 #include "wavefront/frame_clock.cuh"
+#include "wavefront/placed_wavefront.h"
 
 namespace ctpbench {
 
@@ -19,7 +19,7 @@ class CudaPipeline final : public FramePipeline {
 public:
     // Intersector and buffers must outlive it.
     CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr<DeviceShader> shader,
-                 CudaLaunch launch, DeviceWavefront& wavefront, const SceneView& scene, const Camera& camera,
+                 CudaLaunch launch, PlacedWavefront& wavefront, const SceneView& scene, const Camera& camera,
                  const FrameSettings& settings);
     ~CudaPipeline() override;
 
@@ -38,12 +38,12 @@ private:
     void show(std::uint32_t bounce, const BounceObserver& observe);
     void run_graph(bool carry_t, std::uint32_t sample);
     std::vector<StageTime> stage_times() const;
-    BounceCounts* counts(std::uint32_t bounce) const { return wavefront_.counts.data() + bounce; }
+    BounceCounts* counts(std::uint32_t bounce) const { return wavefront_.counts + bounce; }
 
     const DeviceIntersector& intersector_;
     std::unique_ptr<DeviceShader> shader_;
     CudaLaunch launch_;
-    DeviceWavefront& wavefront_;
+    PlacedWavefront& wavefront_;
     CameraFrame camera_;
     FrameSettings settings_;
     Vec3 ambient_;

@@ -14,6 +14,8 @@ struct FrameSettings {
     std::uint32_t bounces;  // intersections after the camera ray's
     std::uint64_t seed;
     bool copies = false;  // whether to time a plain copy of the index buffer at each bounce (a yardstick)
+
+    bool operator==(const FrameSettings&) const = default;
 };
 
 // One stage at one bounce. The name is the row's kernel: generate, intersect, copy, sort, shade, compact,

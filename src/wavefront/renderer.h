@@ -29,6 +29,7 @@ public:
     std::vector<StageTime> frame(const Intersector& intersector, const Shader& shader, bool carry_t,
                                  std::uint32_t sample, ImageStorage& image, const BounceObserver& observe);
 
+    const FrameSettings& settings() const { return settings_; }
     std::uint32_t pixels() const { return settings_.width * settings_.height; }
 
 private:
@@ -68,19 +69,20 @@ private:
     std::vector<StageTime> times_;
 };
 
-// A contender's pipeline on CPU threads. Renderer and intersector must outlive it.
+// A contender's pipeline on CPU threads. The intersector must outlive it.
 class CpuPipeline final : public FramePipeline {
 public:
-    CpuPipeline(Renderer& renderer, const Intersector& intersector, std::unique_ptr<Shader> shader)
-        : renderer_(renderer), intersector_(intersector), shader_(std::move(shader)) {}
+    CpuPipeline(std::shared_ptr<Renderer> renderer, const Intersector& intersector,
+                std::unique_ptr<Shader> shader)
+        : renderer_(std::move(renderer)), intersector_(intersector), shader_(std::move(shader)) {}
 
     std::vector<StageTime> frame(bool carry_t, std::uint32_t sample, ImageStorage& image,
                                  const BounceObserver& observe) override {
-        return renderer_.frame(intersector_, *shader_, carry_t, sample, image, observe);
+        return renderer_->frame(intersector_, *shader_, carry_t, sample, image, observe);
     }
 
 private:
-    Renderer& renderer_;
+    std::shared_ptr<Renderer> renderer_;
     const Intersector& intersector_;
     std::unique_ptr<Shader> shader_;
 };
