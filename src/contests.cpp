@@ -62,8 +62,8 @@ std::vector<Batch> record_frame(const RunContext& run, const ContestInput& input
         .make(recording, frame_settings(run.config, recording))
         ->frame(true, 0, image, [&](const BounceView& view) {
             stop_if_interrupted();
-            Batch& batch =
-                batches.emplace_back(record_batch(view.bounce, view.rays, view.slots, run.config.batch_rays));
+            Batch& batch = batches.emplace_back(
+                record_batch(view.bounce, view.rays, view.slots, run.config.batch_rays, view.excluded));
             batch.hit_hash = record_hits(batch, view.hits).hash();
         });
     return batches;

@@ -4,6 +4,13 @@
 #include "wavefront/methods.h"
 
 namespace ctpbench {
+namespace {
+
+// With roulette, paths that have not left their third hit behind go on for certain: they carry most of a
+// picture's light.
+constexpr std::uint32_t kRouletteFrom = 3;
+
+}  // namespace
 
 std::string intersect_key(const Contender& c) {
     if (c.is_yardstick()) return own_way;
@@ -21,7 +28,9 @@ CellResult cell_of(const ContestInput& input, const Contender& contender) {
 
 FrameSettings frame_settings(const Config& config, const Contender& c) {
     const std::uint32_t bounces = c.bounce_limit != 0 ? c.bounce_limit : config.bounces;
-    return {config.width, config.height, bounces, config.seed};
+    FrameSettings settings{config.width, config.height, bounces, config.seed};
+    if (c.roulette) settings.roulette_from = kRouletteFrom;
+    return settings;
 }
 
 std::unique_ptr<BatchTracer> tracer_of(const RunContext& run, const ContestInput& input, const Contender& c) {
@@ -36,8 +45,9 @@ std::unique_ptr<FramePipeline> PipelineMaker::make(const Contender& c, const Fra
     if (c.backend == "cuda")
         return input_.cuda->pipeline(c.strategy, methods, c.shade, cuda_launch(c.launch), input_.scene.camera,
                                      settings);
-    return std::make_unique<CpuPipeline>(renderer(settings), input_.lineup.get(c.strategy, methods),
-                                         make_shader(c.shade, input_.view.materials()));
+    return std::make_unique<CpuPipeline>(
+        renderer(settings), input_.lineup.get(c.strategy, methods),
+        make_shader(c.shade, input_.view.materials(), offset_of(c.methods, c.offset)));
 }
 
 std::shared_ptr<Renderer> PipelineMaker::renderer(const FrameSettings& settings) {

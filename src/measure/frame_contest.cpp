@@ -63,10 +63,10 @@ std::vector<Row> FrameContest::verify(FrameEntrant& entrant, CellResult& cell) {
             // In the order of the slots, which does not depend on how a strategy has reordered its paths.
             std::vector<std::uint32_t> slots = view.slots;
             std::sort(slots.begin(), slots.end());
-            Batch all = record_batch(view.bounce, view.rays, slots, 0);
+            Batch all = record_batch(view.bounce, view.rays, slots, 0, view.excluded);
             const std::uint64_t hash = record_hits(all, view.hits).hash();
             if (judge.can_judge()) {
-                Batch batch = record_batch(view.bounce, view.rays, slots, oracle_rays_);
+                Batch batch = record_batch(view.bounce, view.rays, slots, oracle_rays_, view.excluded);
                 HitStorage hits = record_hits(batch, view.hits);
                 cell.verdict += judge.judge_hits(view.bounce, batch, hits, hash);
             }

@@ -25,7 +25,8 @@ public:
              const FrameSettings& settings);
 
     // Traces sample number `sample` of every pixel and blends it into the image, which holds the samples
-    // before it. `carry_t`: as in Intersector. The observer may be empty.
+    // before it. `carry_t`: as in Intersector. The observer may be empty. A shader that excludes takes an
+    // intersector that does.
     std::vector<StageTime> frame(const Intersector& intersector, const Shader& shader, bool carry_t,
                                  std::uint32_t sample, ImageStorage& image, const BounceObserver& observe);
 
@@ -53,6 +54,8 @@ private:
     HitStorage hits_;
     PixelStorage pixels_;
     Array<std::uint32_t> index_, reordered_;  // slots of active paths; scratch for the stage that reorders
+    Array<std::uint32_t> excluded_;           // by slot; empty until a shader needs it
+    std::uint32_t* exclude_ = nullptr;        // the same during a frame whose shader needs it, else null
     Array<std::uint32_t> copied_;       // what the yardstick copies, and to where; touched by nobody else
     Array<std::uint8_t> keys_, fates_;  // by position in the index
     Array<std::uint32_t> positions_;    // 0, 1, 2, ...: what is sorted where the index stays
