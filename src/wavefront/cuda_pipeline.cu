@@ -1,37 +1,10 @@
 #include "wavefront/cuda_pipeline.cuh"
 
-#include <string_view>
-
-#include "backends/cuda_blocks.cuh"
 #include "kernels/blend.h"
 #include "wavefront/device_copy.cuh"
+#include "wavefront/device_reorder.cuh"
 
 namespace ctpbench {
-namespace {
-
-struct CopyIndex {
-    const std::uint32_t* from;
-    std::uint32_t* to;
-    __device__ void operator()(std::uint32_t i) const { to[i] = from[i]; }
-};
-
-struct SetCount {
-    std::uint32_t* count;
-    std::uint32_t value;
-    const std::uint32_t* copied;  // if not null, the value
-    __device__ void operator()(std::uint32_t) const { *count = copied != nullptr ? *copied : value; }
-};
-
-// Three kernels; offsets and the entries moved stay on the device.
-template <class By>
-void reorder(cudaStream_t stream, std::uint32_t most, const TileInput<By>& in, const std::uint32_t* index,
-             std::uint32_t* moved, std::uint32_t* offsets, const char* name) {
-    launch_blocks(stream, tile_count(most), TileCount<By>{in}, name);
-    launch_blocks(stream, 1, TileScan<By>{in, offsets}, name);
-    launch_blocks(stream, tile_count(most), TileMove<By>{in, index, moved}, name);
-}
-
-}  // namespace
 
 CudaPipeline::CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr<DeviceShader> shader,
                            CudaLaunch launch, PlacedWavefront& wavefront, const SceneView& scene,
@@ -48,10 +21,6 @@ CudaPipeline::CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr
         if (const char* name = shader_->kernel_name(k)) part_names_[k] = std::string("shade_") + name;
 }
 
-CudaPipeline::~CudaPipeline() {
-    if (graph_ != nullptr) cudaGraphExecDestroy(graph_);
-}
-
 std::vector<StageTime> CudaPipeline::frame(bool carry_t, std::uint32_t sample, ImageStorage& image,
                                            const BounceObserver& observe) {
     PlacedWavefront& w = wavefront_;
@@ -59,30 +28,13 @@ std::vector<StageTime> CudaPipeline::frame(bool carry_t, std::uint32_t sample, I
     copy_columns(w.image, image.view(), w.pixels);
     check_cuda(cudaDeviceSynchronize(), "waiting for the image");
     if (launch_ == CudaLaunch::graph && !observe)
-        run_graph(carry_t, sample);
+        graph_.run(stream_.get(), [&] { launch_frame(carry_t, sample, {}); });
     else
         launch_frame(carry_t, sample, observe);
     stream_.wait();
     copy_column(w.host_counts.data(), w.counts, w.host_counts.size());
     copy_columns(image.view(), w.image, w.pixels);
-    return stage_times();
-}
-
-void CudaPipeline::run_graph(bool carry_t, std::uint32_t sample) {
-    // The sample's number is an argument of kernels, so each frame is captured and the graph updated with it.
-    check_cuda(cudaStreamBeginCapture(stream_.get(), cudaStreamCaptureModeThreadLocal), "capturing a frame");
-    launch_frame(carry_t, sample, {});
-    cudaGraph_t captured = nullptr;
-    check_cuda(cudaStreamEndCapture(stream_.get(), &captured), "capturing a frame");
-    cudaGraphExecUpdateResultInfo result;
-    if (graph_ == nullptr || cudaGraphExecUpdate(graph_, captured, &result) != cudaSuccess) {
-        cudaGetLastError();
-        if (graph_ != nullptr) check_cuda(cudaGraphExecDestroy(graph_), "replacing a graph");
-        graph_ = nullptr;
-        check_cuda(cudaGraphInstantiate(&graph_, captured, 0), "making a graph of a frame");
-    }
-    check_cuda(cudaGraphDestroy(captured), "making a graph of a frame");
-    check_cuda(cudaGraphLaunch(graph_, stream_.get()), "launching a frame's graph");
+    return stage_times(clock_, w, shader_->order(), part_names_);
 }
 
 void CudaPipeline::launch_frame(bool carry_t, std::uint32_t sample, const BounceObserver& observe) {
@@ -211,33 +163,6 @@ void CudaPipeline::show(std::uint32_t bounce, const BounceObserver& observe) {
     copy_columns(rays.view(), w.rays, w.pixels);
     copy_columns(hits.view(), w.hits, w.pixels);
     observe({bounce, rays.view(), hits.view(), slots});
-}
-
-std::vector<StageTime> CudaPipeline::stage_times() const {
-    const PlacedWavefront& w = wavefront_;
-    std::vector<std::uint8_t> clamped(w.pixels);
-    copy_column(clamped.data(), w.fates, w.pixels);
-    std::vector<StageTime> times;
-    for (const FrameClock::Span& s : clock_.spans()) {
-        const std::string_view kernel = s.kernel;
-        const BounceCounts& counted = w.host_counts[s.bounce];
-        StageTime stage{s.kernel, s.bounce, counted.active, clock_.seconds(s)};
-        stage.start = clock_.start_of(s);
-        if (kernel == "generate" || kernel == "blend") stage.rays = w.pixels;
-        if (kernel == "shade")
-            stage.dropped = shader_->order() == PathOrder::queued
-                                ? counted.dropped
-                                : counted.compacted[2] - counted.compacted[1];
-        if (kernel == "blend")
-            for (const std::uint8_t c : clamped) stage.clamped += c;
-        for (std::uint32_t k = 0; k < kShadeKeys; ++k)
-            if (kernel == part_names_[k])
-                stage.rays = shader_->order() == PathOrder::queued
-                                 ? counted.queues.of[k]
-                                 : counted.sorted[k + 1] - counted.sorted[k];
-        if (stage.rays > 0) times.push_back(stage);  // a bounce that nobody reached is none
-    }
-    return times;
 }
 
 }  // namespace ctpbench

@@ -4,13 +4,13 @@
 
 #include <array>
 #include <memory>
-#include <string>
 
 #include "kernels/generate.h"
+#include "wavefront/cuda_stage_times.cuh"
 #include "wavefront/cuda_workload.h"
 #include "wavefront/device_intersector.cuh"
 #include "wavefront/device_shader.cuh"
-#include "wavefront/frame_clock.cuh"
+#include "wavefront/frame_graph.cuh"
 #include "wavefront/placed_wavefront.h"
 
 namespace ctpbench {
@@ -21,7 +21,6 @@ public:
     CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr<DeviceShader> shader,
                  CudaLaunch launch, PlacedWavefront& wavefront, const SceneView& scene, const Camera& camera,
                  const FrameSettings& settings);
-    ~CudaPipeline() override;
 
     std::vector<StageTime> frame(bool carry_t, std::uint32_t sample, ImageStorage& image,
                                  const BounceObserver& observe) override;
@@ -36,8 +35,6 @@ private:
     bool sorts() const;
     void compact(std::uint32_t bounce);
     void show(std::uint32_t bounce, const BounceObserver& observe);
-    void run_graph(bool carry_t, std::uint32_t sample);
-    std::vector<StageTime> stage_times() const;
     BounceCounts* counts(std::uint32_t bounce) const { return wavefront_.counts + bounce; }
 
     const DeviceIntersector& intersector_;
@@ -54,8 +51,8 @@ private:
     DeviceEvent forked_;
     std::array<DeviceEvent, kShadeKeys> joined_;
     FrameClock clock_;
-    std::array<std::string, kShadeKeys> part_names_;
-    cudaGraphExec_t graph_ = nullptr;
+    ShadePartNames part_names_;
+    FrameGraph graph_;
 };
 
 }  // namespace ctpbench
