@@ -43,8 +43,8 @@ private:
     CpuBackend& backend_;
     const Intersector* oracle_;
     std::uint32_t oracle_rays_;
-    std::map<std::string, HitJudge> judges_;  // by backend, since rays are the same within one alone
-    // By backend, hashes of the first exact entrant: hits by bounce, then the image.
+    std::map<std::string, HitJudge> judges_;  // of those who trace the same rays
+    // Of those who must render the same, hashes of the first exact entrant: hits by bounce, then the image.
     std::map<std::string, std::vector<std::uint64_t>> expected_;
 };
 
