@@ -2,29 +2,11 @@
 
 #include <algorithm>
 
+#include "measure/frame_series.h"
 #include "measure/rounds.h"
 
 namespace ctpbench {
 namespace {
-
-// Adds what a frame's stages took to the cell, over all bounces.
-void add_frame(CellResult& cell, const std::vector<StageTime>& stages) {
-    std::vector<const char*> kernels;
-    for (const StageTime& s : stages) {
-        if (std::find(kernels.begin(), kernels.end(), s.kernel) == kernels.end()) kernels.push_back(s.kernel);
-    }
-    for (const StageTime& s : stages) {
-        if (std::string_view(s.kernel) == "shade") cell.shaded += s.rays;
-        cell.dropped += s.dropped, cell.clamped += s.clamped;
-    }
-    for (const char* kernel : kernels) {
-        std::uint64_t rays = 0;
-        double seconds = 0.0;
-        for (const StageTime& s : stages)
-            if (s.kernel == kernel) rays += s.rays, seconds += s.seconds;
-        cell.add(kernel, rays, static_cast<double>(rays) / seconds * 1e-6, seconds);
-    }
-}
 
 std::vector<Row> rows_of(std::size_t cell, std::uint32_t round, const std::vector<StageTime>& stages,
                          std::uint64_t image_hash) {
@@ -113,7 +95,7 @@ std::vector<Row> FrameContest::round(std::uint32_t number, std::vector<FrameEntr
             cell.reason =
                 "its image differs from the first contender's after sample " + std::to_string(number);
         }
-        add_frame(cell, frames[e].stages);
+        add_stages(cell, frames[e].stages);
         cell.image_hash = frames[e].image_hash, cell.samples = number + 1;
         const std::vector<Row> of_frame =
             rows_of(entrants[e].cell, number, frames[e].stages, frames[e].image_hash);
