@@ -109,7 +109,7 @@ void run_intersect_contest(const RunContext& run, const ContestInput& input,
     Contest contest(run.backend, input.view.geometry(), batches, input.oracle, run.config.oracle_rays);
     std::vector<Entrant> entrants;
     for (const Contender& c : contenders) {
-        const bool yardstick = c.methods == own_way;
+        const bool yardstick = c.is_yardstick();
         if (yardstick && c.backend == "cpu" && embree_version().empty()) {
             run.note(c.label() + ": left out, this program was built without Embree");
             continue;

@@ -212,6 +212,7 @@ KnownNames known_names() {
     names.shades = shade_strategies();
     for (const BuilderInfo& b : tree_builders()) names.builders.push_back(b.name);
     names.traversals = {"single"};
+    names.studies = {"speed"};
     return names;
 }
 

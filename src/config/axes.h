@@ -20,8 +20,12 @@ struct Axes {
     std::vector<bool> restart_carries_t;
     std::vector<std::string> traversal;
     std::vector<std::string> methods;
-    std::vector<std::string> shade;   // no_shade: intersect alone is measured
-    std::vector<std::string> launch;  // of frames' kernels on a GPU
+    std::vector<std::string> shade;                                 // no_shade: intersect alone is measured
+    std::vector<std::string> launch;                                // of frames' kernels on a GPU
+    std::vector<std::string> triangle_test, sphere_test, box_test;  // of_bundle: what `methods` names
+    std::vector<std::string> offset;                                // of rays that leave a surface; likewise
+    std::vector<std::uint32_t> bounce_limit;                        // of frames; 0: the config's `bounces`
+    std::vector<bool> roulette;                                     // of frames
 
     bool operator==(const Axes&) const = default;
 };
@@ -30,10 +34,14 @@ struct Axes {
 // whole frames are rendered.
 inline constexpr const char* no_shade = "none";
 
+// A test or offset that is not exchanged: the bundle's own.
+inline constexpr const char* of_bundle = "bundle";
+
 // What an axis has that the config does not mention.
 inline Axes default_axes() {
-    return {{"smoke"}, {1000},     {0.03},         {"quality"}, {"cpu"},     {"ctp"},
-            {true},    {"single"}, {"watertight"}, {no_shade},  {"isolated"}};
+    return {{"smoke"},   {1000},      {0.03},         {"quality"}, {"cpu"},      {"ctp"},
+            {true},      {"single"},  {"watertight"}, {no_shade},  {"isolated"}, {of_bundle},
+            {of_bundle}, {of_bundle}, {of_bundle},    {0},         {false}};
 }
 
 // Whether the axis belongs to what is traced, not to who traces it.
@@ -55,6 +63,12 @@ void for_each_axis(AxesOrConst& axes, F&& f) {
     f("methods", axes.methods);
     f("shade", axes.shade);
     f("launch", axes.launch);
+    f("triangle_test", axes.triangle_test);
+    f("sphere_test", axes.sphere_test);
+    f("box_test", axes.box_test);
+    f("offset", axes.offset);
+    f("bounce_limit", axes.bounce_limit);
+    f("roulette", axes.roulette);
 }
 
 }  // namespace ctpbench

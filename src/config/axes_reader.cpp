@@ -17,7 +17,7 @@ public:
         return axis_ == "scene" ? is_scene_name(element, value) : is_choice(element, value);
     }
     bool read(const JsonValue& element, std::uint32_t& value) const {
-        return element.read(value, range(0, max_spheres));
+        return element.read(value, range(0, axis_ == "bounce_limit" ? max_bounces : max_spheres));
     }
     bool read(const JsonValue& element, double& value) const { return element.read(value, {0, 10, false}); }
     bool read(const JsonValue& element, bool& value) const { return element.read(value); }
@@ -31,13 +31,22 @@ private:
     }
 
     bool is_choice(const JsonValue& element, const std::string& name) const {
+        const auto or_of_bundle = [](std::vector<std::string> names) {
+            names.insert(names.begin(), of_bundle);
+            return names;
+        };
         const std::vector<std::string> choices = axis_ == "strategy"    ? known_.all_strategies()
                                                  : axis_ == "traversal" ? known_.traversals
                                                  : axis_ == "methods"   ? known_.methods
                                                  : axis_ == "builder"   ? known_.builders
                                                  : axis_ == "shade"     ? known_.all_shades()
                                                  : axis_ == "launch"    ? known_.launches
-                                                                        : known_.backends;
+                                                 : axis_ == "triangle_test"
+                                                     ? or_of_bundle(known_.triangle_tests)
+                                                 : axis_ == "sphere_test" ? or_of_bundle(known_.sphere_tests)
+                                                 : axis_ == "box_test"    ? or_of_bundle(known_.box_tests)
+                                                 : axis_ == "offset"      ? or_of_bundle(known_.offsets)
+                                                                          : known_.backends;
         if (std::find(choices.begin(), choices.end(), name) != choices.end()) return true;
         element.error(unknown_name(axis_, name, choices));
         return false;
@@ -66,12 +75,21 @@ void read_axis(const JsonValue& written, const ElementReader& reader, std::vecto
 
 }  // namespace
 
-void read_axes(const JsonObject& object, bool measure, const KnownNames& known, Axes& axes) {
+std::string meaningless(std::string_view axis, const Config& config) {
+    if (!config.measure && !is_workload_axis(axis)) return "means nothing as \"measure\" is false";
+    const bool of_speed = is_workload_axis(axis) || axis == "restart_carries_t" || axis == "shade" ||
+                          axis == "launch" || axis == "bounce_limit" || axis == "roulette";
+    if (config.study == Study::stability && of_speed)
+        return "means nothing in a stability study, whose workloads are \"stress\"";
+    return {};
+}
+
+void read_axes(const JsonObject& object, const Config& config, const KnownNames& known, Axes& axes) {
     for_each_axis(axes, [&](std::string_view axis, auto& values) {
         const JsonValue value = object.value(axis);
         if (!value.present()) return;
-        if (!measure && !is_workload_axis(axis)) {
-            value.error("means nothing as \"measure\" is false; remove one of the two");
+        if (const std::string why = meaningless(axis, config); !why.empty()) {
+            value.error(why + "; remove one of the two");
         } else {
             read_axis(value, ElementReader(axis, known), values);
         }

@@ -1,8 +1,6 @@
 #include "config/cells.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <set>
 #include <utility>
 
@@ -10,25 +8,6 @@
 
 namespace ctpbench {
 namespace {
-
-const Axes& defaults() {
-    static const Axes axes = default_axes();
-    return axes;
-}
-
-// The shortest text that reads back as the same number.
-std::string shortest(double value) {
-    std::array<char, 32> text;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-bool is_restart(const Cell& cell) { return cell.contender && cell.contender->strategy == "restart"; }
-bool is_yardstick(const Cell& cell) { return cell.contender && cell.contender->methods == own_way; }
-
-std::string strategy_of(const Contender& contender) {
-    return contender.strategy + (contender.restart_carries_t ? "" : "_fresh_t") +
-           (contender.renders() ? "+" + contender.shade : "");
-}
 
 template <class T>
 bool allows(const std::vector<T>& axis, const T& value) {
@@ -41,91 +20,100 @@ bool allows_if(bool meaningful, const std::vector<T>& axis, const T& value) {
     return meaningful ? allows(axis, value) : axis.empty();
 }
 
-std::vector<Workload> workloads_of(const Axes& axes) {
+std::vector<Workload> workloads_of(const Axes& axes, const Config& config) {
+    const Axes defaults = default_axes();
+    const double radius = defaults.sphere_radius.front();
     std::vector<Workload> workloads;
-    for (const std::string& scene : axes.scene) {
-        for (const std::uint32_t spheres : axes.spheres) {
-            for (const double radius : axes.sphere_radius) {
-                for (const std::string& builder : axes.builder) {
-                    const double used = spheres > 0 ? radius : defaults().sphere_radius.front();
-                    workloads.push_back({scene, spheres, used, builder});
-                }
-            }
-        }
+    if (config.study == Study::stability) {
+        for (const std::string& name : config.stress)
+            workloads.push_back({name, 0, radius, defaults.builder.front()});
+        return workloads;
     }
+    for (const std::string& scene : axes.scene)
+        for (const std::uint32_t spheres : axes.spheres)
+            for (const double r : axes.sphere_radius)
+                for (const std::string& builder : axes.builder)
+                    workloads.push_back({scene, spheres, spheres > 0 ? r : radius, builder});
     return workloads;
 }
 
-// Every value of an axis, or `own` alone where the axis means nothing.
-std::vector<std::string> values_if(bool meaningful, const std::vector<std::string>& axis, const char* own) {
-    return meaningful ? axis : std::vector<std::string>{own};
+// Calls f(axis, member, meaningful) for every axis that varies a contender of one backend and strategy, the
+// one that varies slowest first. `meaningful(contender)`: of one in which the axes before have been set.
+template <class F>
+void for_each_part(Study study, F&& f) {
+    const auto ours = [](const Contender& c) { return !c.is_yardstick(); };
+    const auto renders = [](const Contender& c) { return c.renders(); };
+    f(&Axes::restart_carries_t, &Contender::restart_carries_t,
+      [](const Contender& c) { return c.strategy == "restart"; });
+    f(&Axes::traversal, &Contender::traversal, ours);
+    f(&Axes::methods, &Contender::methods, ours);
+    f(&Axes::triangle_test, &Contender::triangle_test, ours);
+    f(&Axes::sphere_test, &Contender::sphere_test, ours);
+    f(&Axes::box_test, &Contender::box_test, ours);
+    f(&Axes::shade, &Contender::shade, [](const Contender&) { return true; });
+    f(&Axes::offset, &Contender::offset, [study](const Contender& c) {
+        return c.renders() || (study == Study::stability && !c.is_yardstick());
+    });
+    f(&Axes::bounce_limit, &Contender::bounce_limit, renders);
+    f(&Axes::roulette, &Contender::roulette, renders);
+    f(&Axes::launch, &Contender::launch,
+      [](const Contender& c) { return c.renders() && c.backend == "cuda"; });
 }
 
-std::vector<Contender> contenders_of(const Axes& axes, const KnownNames& known) {
-    std::vector<Contender> contenders;
-    const auto add = [&](const std::string& backend, const std::string& strategy) {
-        const KnownNames::Yardstick* yardstick = known.yardstick(strategy);
-        if (yardstick != nullptr && yardstick->backend != backend) return;
-        const bool ours = yardstick == nullptr;
-        for (const bool carries_t : axes.restart_carries_t)
-            for (const std::string& traversal : values_if(ours, axes.traversal, own_way))
-                for (const std::string& methods : values_if(ours, axes.methods, own_way))
-                    for (const std::string& shade : axes.shade) {
-                        if (!ours && shade != no_shade) continue;  // it only intersects
-                        const bool launched = backend == "cuda" && shade != no_shade;
-                        for (const std::string& launch : values_if(launched, axes.launch, ""))
-                            contenders.push_back({backend, strategy, strategy != "restart" || carries_t,
-                                                  traversal, methods, shade, launch});
-                    }
-    };
+std::vector<Contender> contenders_of(const Axes& axes, Study study, const KnownNames& known) {
+    std::vector<Contender> all;
     for (const std::string& backend : axes.backend)
-        for (const std::string& strategy : axes.strategy) add(backend, strategy);
-    return contenders;
+        for (const std::string& strategy : axes.strategy) {
+            const KnownNames::Yardstick* yardstick = known.yardstick(strategy);
+            if (yardstick != nullptr && yardstick->backend != backend) continue;
+            std::vector<Contender> list(1);
+            list[0].backend = backend, list[0].strategy = strategy;
+            if (yardstick != nullptr) list[0].traversal = list[0].methods = own_way;
+            for_each_part(study, [&](auto axis, auto member, auto meaningful) {
+                std::vector<Contender> varied;
+                for (const Contender& c : list) {
+                    if (!meaningful(c)) {
+                        varied.push_back(c);
+                        continue;
+                    }
+                    for (const auto& value : axes.*axis) varied.emplace_back(c).*member = value;
+                }
+                list = std::move(varied);
+            });
+            // A yardstick only intersects.
+            std::erase_if(list, [](const Contender& c) { return c.is_yardstick() && c.renders(); });
+            all.insert(all.end(), list.begin(), list.end());
+        }
+    return all;
+}
+
+// Whether the methods that the contender is there for have anything to do with the workload.
+bool meets(const Contender& contender, const KnownNames::Stress& stress) {
+    const auto has = [&](const char* kind) {
+        return std::find(stress.kinds.begin(), stress.kinds.end(), kind) != stress.kinds.end();
+    };
+    // A yardstick forms no rays of its own.
+    if (contender.is_yardstick()) return !has("offset");
+    return contender.kind() == "bundle" || has(contender.kind().c_str());
 }
 
 }  // namespace
 
-std::string Workload::name() const {
-    std::string name = scene + "/" + std::to_string(spheres);
-    if (sphere_radius != defaults().sphere_radius.front()) name += "/radius" + shortest(sphere_radius);
-    if (builder != defaults().builder.front()) name += "/" + builder + "_tree";
-    return name;
-}
-
-std::string Contender::label() const {
-    if (backend == defaults().backend.front()) return label_on_backend();
-    Contender here = *this;
-    here.backend = defaults().backend.front();
-    const std::string rest = here.label_on_backend(), name = strategy_of(*this);
-    return name + "/" + backend + rest.substr(name.size());
-}
-
-std::string Contender::label_on_backend() const {
-    std::string label = strategy_of(*this);
-    if (!launch.empty() && launch != defaults().launch.front()) label += "/" + launch;
-    if (traversal != own_way && traversal != defaults().traversal.front()) label += "/" + traversal;
-    if (methods != own_way && methods != defaults().methods.front()) label += "/" + methods;
-    return label;
-}
-
-std::string Cell::name() const {
-    if (!contender) return workload.name();
-    const Contender& c = *contender;
-    return workload.name() + "/" + c.backend + "/" + strategy_of(c) + "/" + c.traversal + "/" + c.methods +
-           (c.launch.empty() ? "" : "/" + c.launch);
-}
-
-std::vector<Cell> expand_axes(const Axes& axes, bool measure, const KnownNames& known) {
+std::vector<Cell> expand_axes(const Axes& axes, const Config& config, const KnownNames& known) {
     std::vector<std::optional<Contender>> contenders;
-    if (measure) {
-        for (Contender& contender : contenders_of(axes, known)) contenders.emplace_back(std::move(contender));
+    if (config.measure) {
+        for (Contender& contender : contenders_of(axes, config.study, known))
+            contenders.emplace_back(std::move(contender));
     } else {
         contenders.emplace_back(std::nullopt);
     }
     std::vector<Cell> cells;
     std::set<std::string> seen;  // axes that mean nothing have made equal cells
-    for (const Workload& workload : workloads_of(axes)) {
+    for (const Workload& workload : workloads_of(axes, config)) {
+        const KnownNames::Stress* stress =
+            config.study == Study::stability ? known.find_stress(workload.scene) : nullptr;
         for (const auto& contender : contenders) {
+            if (stress != nullptr && !meets(*contender, *stress)) continue;
             Cell cell{workload, contender};
             if (seen.insert(cell.name()).second) cells.push_back(std::move(cell));
         }
@@ -133,30 +121,30 @@ std::vector<Cell> expand_axes(const Axes& axes, bool measure, const KnownNames& 
     return cells;
 }
 
-bool matches(const Cell& cell, const Axes& pattern) {
+bool matches(const Cell& cell, const Axes& pattern, Study study) {
     const Workload& w = cell.workload;
-    const bool workload = allows(pattern.scene, w.scene) && allows(pattern.spheres, w.spheres) &&
-                          allows_if(w.spheres > 0, pattern.sphere_radius, w.sphere_radius) &&
-                          allows(pattern.builder, w.builder);
+    if (!(allows(pattern.scene, w.scene) && allows(pattern.spheres, w.spheres) &&
+          allows_if(w.spheres > 0, pattern.sphere_radius, w.sphere_radius) &&
+          allows(pattern.builder, w.builder)))
+        return false;
     const bool measured = cell.contender.has_value();
     const Contender c = cell.contender.value_or(Contender{});
-    return workload && allows_if(measured, pattern.backend, c.backend) &&
-           allows_if(measured, pattern.strategy, c.strategy) &&
-           allows_if(is_restart(cell), pattern.restart_carries_t, c.restart_carries_t) &&
-           allows_if(measured && !is_yardstick(cell), pattern.traversal, c.traversal) &&
-           allows_if(measured && !is_yardstick(cell), pattern.methods, c.methods) &&
-           allows_if(measured, pattern.shade, c.shade) &&
-           allows_if(!c.launch.empty(), pattern.launch, c.launch);
+    bool all =
+        allows_if(measured, pattern.backend, c.backend) && allows_if(measured, pattern.strategy, c.strategy);
+    for_each_part(study, [&](auto axis, auto member, auto meaningful) {
+        all = all && allows_if(measured && meaningful(c), pattern.*axis, c.*member);
+    });
+    return all;
 }
 
 std::vector<Cell> expand(const Config& config, const KnownNames& known) {
-    std::vector<Cell> cells = expand_axes(config.matrix, config.measure, known);
+    std::vector<Cell> cells = expand_axes(config.matrix, config, known);
     std::erase_if(cells, [&](const Cell& cell) {
         return std::any_of(config.exclude.begin(), config.exclude.end(),
-                           [&](const Axes& pattern) { return matches(cell, pattern); });
+                           [&](const Axes& pattern) { return matches(cell, pattern, config.study); });
     });
     for (const Axes& axes : config.include) {
-        for (Cell& cell : expand_axes(axes, config.measure, known)) cells.push_back(std::move(cell));
+        for (Cell& cell : expand_axes(axes, config, known)) cells.push_back(std::move(cell));
     }
     return cells;
 }
@@ -183,36 +171,6 @@ std::vector<WorkloadCells> group_by_workload(const std::vector<Cell>& cells) {
         if (cell.contender) group->contenders.push_back(*cell.contender);
     }
     return groups;
-}
-
-std::string format_cells(const std::vector<Cell>& cells) {
-    std::vector<std::vector<std::string>> rows = {{"scene", "spheres", "sphere_radius", "builder", "backend",
-                                                   "contender", "traversal", "methods", "launch"}};
-    for (const Cell& cell : cells) {
-        const Workload& w = cell.workload;
-        rows.push_back(
-            {w.scene, std::to_string(w.spheres), w.spheres > 0 ? shortest(w.sphere_radius) : "-", w.builder});
-        if (const auto& c = cell.contender) {
-            for (const std::string& column : {c->backend, strategy_of(*c), c->traversal, c->methods,
-                                              c->launch.empty() ? std::string("-") : c->launch}) {
-                rows.back().push_back(column);
-            }
-        } else {
-            rows.back().resize(rows.front().size(), "-");
-        }
-    }
-    std::vector<std::size_t> width(rows.front().size(), 0);
-    for (const auto& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
-    }
-    std::string text;
-    for (const auto& row : rows) {
-        for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-            text += row[i] + std::string(width[i] - row[i].size() + 2, ' ');
-        }
-        text += row.back() + '\n';
-    }
-    return text;
 }
 
 }  // namespace ctpbench

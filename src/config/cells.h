@@ -23,6 +23,9 @@ struct Workload {
     bool operator==(const Workload&) const = default;
 };
 
+// A yardstick's traversal and methods: they are its own, whatever these axes say.
+inline constexpr const char* own_way = "own";
+
 // Who traces it.
 struct Contender {
     std::string backend;
@@ -32,9 +35,20 @@ struct Contender {
     std::string methods;            // own_way for a yardstick
     std::string shade = no_shade;
     std::string launch{};  // of a frame on a GPU; else empty
+    std::string triangle_test = of_bundle, sphere_test = of_bundle, box_test = of_bundle;
+    std::string offset = of_bundle;
+    std::uint32_t bounce_limit = 0;  // of a frame; 0: the config's `bounces`
+    bool roulette = false;           // of a frame
 
     // Whether whole frames are measured rather than the intersection of recorded rays.
     bool renders() const { return shade != no_shade; }
+    bool is_yardstick() const { return methods == own_way; }
+
+    // What a study of methods compares it with: "triangle", "sphere", "box" or "offset" if that is the one
+    // part exchanged in its bundle, else "bundle" (a yardstick is a bundle too).
+    std::string kind() const;
+    // Its name among those of its kind: `pluecker`, `watertight`, `embree_robust`; several parts are joined.
+    std::string method() const;
 
     // Short and unique within a workload: the strategy (`restart_fresh_t` for a restart whose second pass
     // starts without the first one's hit), `+shade` if it renders, then `/x` for each axis that has not its
@@ -42,11 +56,13 @@ struct Contender {
     std::string label() const;
     // The same without the backend, for what tells backends apart by itself.
     std::string label_on_backend() const;
+    // The strategy with what belongs to it: `restart_fresh_t`, `restart+sort`.
+    std::string strategy_name() const;
+    // `/pluecker/limit4/roulette`: what is neither strategy, traversal, methods nor launch and has not its
+    // default.
+    std::string exchanged() const;
     bool operator==(const Contender&) const = default;
 };
-
-// A yardstick's traversal and methods: they are its own, whatever these axes say.
-inline constexpr const char* own_way = "own";
 
 struct Cell {
     Workload workload;
@@ -65,15 +81,16 @@ struct WorkloadCells {
 
 // Cells in the order of axes.h, an axis' values in the order written; then those of `include`. An axis that
 // means nothing for a cell makes no further cells: restart_carries_t but for restart, sphere_radius without
-// spheres, traversal and methods for yardsticks, launch but for frames on a GPU, all of a contender if
-// nothing is measured. A yardstick is a cell on its own backend alone.
+// spheres, traversal and methods for yardsticks, launch but for frames on a GPU, offset but for frames and
+// in a stability study, all of a contender if nothing is measured. A yardstick is a cell on its own backend
+// alone. In a stability study the workloads are the config's `stress`, each with those who can meet it.
 std::vector<Cell> expand(const Config& config, const KnownNames& known);
 
-// The cells of these axes alone.
-std::vector<Cell> expand_axes(const Axes& axes, bool measure, const KnownNames& known);
+// The cells of these axes alone, in a config like this.
+std::vector<Cell> expand_axes(const Axes& axes, const Config& config, const KnownNames& known);
 
 // Whether every axis that `pattern` gives means something for the cell and holds the cell's value.
-bool matches(const Cell& cell, const Axes& pattern);
+bool matches(const Cell& cell, const Axes& pattern, Study study);
 
 // The cells whose name contains `part`, letter for letter. Throws Error(usage) if none does.
 std::vector<Cell> filter(const std::vector<Cell>& cells, std::string_view part);

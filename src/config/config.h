@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 namespace ctpbench {
 
 class JsonDocument;
+struct Contender;
 
 inline constexpr int config_schema_version = 1;
 inline constexpr std::uint32_t max_image_side = 16384;
@@ -19,8 +21,17 @@ inline constexpr std::uint32_t max_spheres = 50'000'000;
 inline constexpr std::uint32_t max_threads = 1024;
 inline constexpr std::uint32_t max_bounces = 100;
 inline constexpr std::uint32_t max_rounds = 10'000;
+inline constexpr double max_rays = 1u << 28;  // of a batch
+
+// What an experiment asks.
+enum class Study {
+    speed,        // how fast contenders are; with Config::measure false, how large their trees
+    stability,    // how often methods fail where they are made to: contenders trace stress workloads
+    convergence,  // how fast the error of a picture falls, and to what
+};
 
 struct Config {
+    Study study = Study::speed;
     std::string experiment;  // names the results; letters, digits, '_', '-' and '.'
     std::string description;
     bool measure = true;  // false: trees are built and counted, nothing is traced
@@ -42,6 +53,14 @@ struct Config {
     std::vector<std::string> tables;    // of the paper, to be written beside the rows
     bool images = false;                // whether what frames accumulated is written as EXR and PNG
 
+    // Of a stability study alone.
+    std::vector<std::string> stress{};     // workloads; the reader fills in all that there are
+    std::uint32_t stress_rays = 1u << 20;  // of each workload
+    // Of a convergence study alone.
+    std::uint32_t seeds = 8;                 // independent pictures of each contender
+    std::uint32_t samples = 256;             // per pixel of the last of them: a power of two
+    std::uint32_t reference_samples = 4096;  // per pixel of the picture that errors are taken from
+
     bool operator==(const Config&) const = default;
 };
 
@@ -59,6 +78,15 @@ struct KnownNames {
     std::vector<std::string> shades;
     std::vector<std::string> backends = {"cpu", "cuda"};
     std::vector<std::string> launches = {"isolated", "concurrent", "graph"};
+    std::vector<std::string> triangle_tests, sphere_tests, box_tests, offsets;
+    // Why a contender cannot be had, and what can; empty if it can. No function: all can be.
+    std::function<std::string(const Contender&)> obstacle;
+    struct Stress {
+        std::string name;
+        std::vector<std::string> kinds;  // of methods that can meet it, as Contender::kind() calls them
+    };
+    std::vector<Stress> stress;
+    std::vector<std::string> studies = {"speed", "stability", "convergence"};  // in the order of Study
     std::vector<std::string> only_backends;  // if any, these run whatever backends the config names
     std::vector<std::string> tree_tables = {"table2"};              // need trees only
     std::vector<std::string> speed_tables = {"table3"};             // need measurements of intersect
@@ -68,6 +96,7 @@ struct KnownNames {
     std::vector<std::string> all_strategies() const;
     std::vector<std::string> all_shades() const;
     std::vector<std::string> all_tables() const;
+    const Stress* find_stress(const std::string& name) const;  // null: there is none of this name
 };
 
 // Both throw Error(usage) with every mistake in it, each on a line with its place.

@@ -7,6 +7,7 @@
 #include "config/axes_reader.h"
 #include "config/cells.h"
 #include "config/config.h"
+#include "config/study_reader.h"
 
 namespace ctpbench {
 namespace {
@@ -20,7 +21,6 @@ std::vector<std::string> joined(std::vector<std::string> a, const std::vector<st
     return a;
 }
 
-constexpr double max_rays = 1u << 28;
 constexpr double max_cells = 100'000;
 
 void read_header(const JsonObject& root, Config& config) {
@@ -39,7 +39,6 @@ void read_header(const JsonObject& root, Config& config) {
                    "names files: use letters, digits, '_', '-' and '.', which may not be first");
     }
     root.get("description", config.description);
-    root.get("measure", config.measure);
 }
 
 void read_settings(const JsonObject& root, Config& config) {
@@ -100,6 +99,17 @@ void check_reference(const JsonObject& root, const std::vector<Cell>& cells, con
     }
 }
 
+// Contenders that the program has not, each reason once.
+void check_obstacles(const JsonObject& root, const std::vector<Cell>& cells, const KnownNames& known) {
+    if (!known.obstacle) return;
+    std::set<std::string> reasons;
+    for (const Cell& cell : cells) {
+        const std::string why = cell.contender ? known.obstacle(*cell.contender) : "";
+        if (!why.empty() && reasons.insert(why).second)
+            root.value("matrix").error(cell.name() + " cannot be had: " + why);
+    }
+}
+
 // What only the whole matrix can tell: the default tables too.
 void check_cells(const JsonObject& root, const KnownNames& known, Config& config) {
     if (!is_small(config.matrix, root.value("matrix"))) return;
@@ -111,7 +121,7 @@ void check_cells(const JsonObject& root, const KnownNames& known, Config& config
     const std::vector<JsonValue> includes = root.list("include");
     for (std::size_t i = 0; i < includes.size(); ++i) {
         if (!is_small(config.include[i], includes[i])) return;
-        for (const Cell& cell : expand_axes(config.include[i], config.measure, known)) {
+        for (const Cell& cell : expand_axes(config.include[i], config, known)) {
             if (!names.insert(cell.name()).second)
                 includes[i].error(cell.name() + " is there already; remove it here");
             cells.push_back(cell);
@@ -121,12 +131,27 @@ void check_cells(const JsonObject& root, const KnownNames& known, Config& config
         root.value("exclude").error("leaves nothing of the matrix; exclude less");
         return;
     }
-    if (config.measure) check_reference(root, cells, config.reference);
+    check_obstacles(root, cells, known);
+    if (config.measure && config.study == Study::speed) check_reference(root, cells, config.reference);
+    const auto all = [&](bool renders) {
+        return std::all_of(cells.begin(), cells.end(), [&](const Cell& cell) {
+            return cell.contender && cell.contender->renders() == renders;
+        });
+    };
     const auto any = [&](bool renders) {
         return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
             return cell.contender && cell.contender->renders() == renders;
         });
     };
+    if (config.study != Study::speed) {
+        for (const JsonValue& element : root.list("tables"))
+            element.error("belongs to studies of speed; this study writes its own table");
+        if (config.images) root.error("images", "belongs to studies of speed; remove it");
+        if (config.study == Study::convergence && !all(true))
+            root.value("matrix").error(
+                "every contender must render; name shade strategies, without \"none\"");
+        return;
+    }
     if (!root.has("tables")) {
         config.tables = known.tree_tables;
         if (any(false)) config.tables = joined(config.tables, known.speed_tables);
@@ -148,6 +173,11 @@ const KnownNames::Yardstick* KnownNames::yardstick(const std::string& name) cons
         if (y.name == name) return &y;
     return nullptr;
 }
+const KnownNames::Stress* KnownNames::find_stress(const std::string& name) const {
+    for (const Stress& s : stress)
+        if (s.name == name) return &s;
+    return nullptr;
+}
 std::vector<std::string> KnownNames::all_strategies() const {
     std::vector<std::string> names = strategies;
     for (const Yardstick& y : yardsticks) names.push_back(y.name);
@@ -163,18 +193,19 @@ Config read_config(JsonDocument document, const KnownNames& known) {
     const JsonObject root = reader.root();
     Config config;
     read_header(root, config);
+    read_study(root, known, config);
     read_settings(root, config);
     read_tables(root, known, config);
 
-    read_axes(root.object("matrix"), config.measure, known, config.matrix);
+    read_axes(root.object("matrix"), config, known, config.matrix);
     for (const JsonValue& element : root.list("exclude")) {
-        read_axes(element.object(), config.measure, known, config.exclude.emplace_back());
+        read_axes(element.object(), config, known, config.exclude.emplace_back());
         if (config.exclude.back() == Axes{} && !reader.failed()) {
             element.error("would exclude everything; name an axis and its values");
         }
     }
     for (const JsonValue& element : root.list("include")) {
-        read_axes(element.object(), config.measure, known, config.include.emplace_back(default_axes()));
+        read_axes(element.object(), config, known, config.include.emplace_back(default_axes()));
     }
     if (config.measure && !known.only_backends.empty()) {
         config.matrix.backend = known.only_backends;

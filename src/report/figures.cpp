@@ -48,11 +48,12 @@ std::string_view main_kernel(const CellResult& cell) {
 const CellResult* reference_of(const CellResult& cell, const Results& results, const std::string& reference) {
     Contender like = cell.contender;
     if (cell.contender.renders()) {
-        like.shade = reference;
+        like.shade = reference, like.offset = of_bundle, like.bounce_limit = 0, like.roulette = false;
     } else {
         const Axes axes = default_axes();
         like.strategy = reference, like.restart_carries_t = true;
         like.traversal = axes.traversal.front(), like.methods = axes.methods.front();
+        like.triangle_test = like.sphere_test = like.box_test = of_bundle;
     }
     return results.find(cell.workload, like.label());
 }

@@ -52,7 +52,8 @@ TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
     const Config config = config_of(header + R"("matrix": {
         "scene": ["a", "b"], "spheres": 0, "sphere_radius": [0.01, 1], "builder": "paper", "backend": ["cpu"],
         "strategy": ["oop", "ctp"], "restart_carries_t": [false, true], "traversal": "packet", "methods": "paper",
-        "shade": ["sort", "ctp"]
+        "shade": ["sort", "ctp"], "triangle_test": ["bundle", "pluecker"], "sphere_test": "textbook",
+        "box_test": "plain", "offset": "exclude_id", "bounce_limit": [0, 2], "roulette": true
     }, "width": 1, "height": 16384, "bounces": 2, "rounds": 3, "seed": 18446744073709551615, "threads": 4,
     "reference": "ctp", "images": true, "batch_rays": 0, "oracle_rays": 1, "tables": []})");
     EXPECT_EQ(config.matrix, (Axes{{"a", "b"},
@@ -65,7 +66,13 @@ TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
                                    {"packet"},
                                    {"paper"},
                                    {"sort", "ctp"},
-                                   {"isolated"}}));
+                                   {"isolated"},
+                                   {"bundle", "pluecker"},
+                                   {"textbook"},
+                                   {"plain"},
+                                   {"exclude_id"},
+                                   {0, 2},
+                                   {true}}));
     EXPECT_EQ(config.height, 16384u);
     EXPECT_EQ(config.seed, 18'446'744'073'709'551'615u);
     EXPECT_EQ(config.reference, "ctp");
@@ -249,7 +256,7 @@ TEST(Config, EchoHasEveryDefault) {
     EXPECT_EQ(echo["height"], 1024);
     EXPECT_EQ(echo["matrix"]["methods"], nlohmann::json::array({"watertight"}));
     EXPECT_EQ(echo["matrix"]["shade"], nlohmann::json::array({"none"}));
-    EXPECT_EQ(echo["matrix"].size(), 11u);
+    EXPECT_EQ(echo["matrix"].size(), 17u);
 }
 
 TEST(Config, EditsApplyBeforeReading) {

@@ -15,6 +15,11 @@ inline KnownNames test_names() {
     known.traversals = {"single", "packet"};
     known.methods = {"watertight", "paper"};
     known.builders = {"quality", "paper"};
+    known.triangle_tests = {"woop", "pluecker"};
+    known.sphere_tests = {"stable", "textbook"};
+    known.box_tests = {"padded", "plain"};
+    known.offsets = {"waechter_binder", "exclude_id"};
+    known.stress = {{"edges", {"triangle", "box"}}, {"far_spheres", {"sphere"}}, {"leaving", {"offset"}}};
     known.shades = {"ctp", "std_variant", "oop", "oop_arena", "sort", "sort_restored", "queues"};
     return known;
 }
