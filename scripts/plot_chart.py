@@ -11,6 +11,8 @@ from plot_inputs import count, number, scene_title
 # bars) and the marker (of points) tell them apart in print.
 COLOURS = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#999999", "#FFFFFF"]
 HATCHES = ["", "///", "...", "xxx", "\\\\\\", "---", "ooo", "|||", "+++"]
+# Of lines and points on white, where neither yellow nor white would do.
+LINE_COLOURS = [*COLOURS[:6], "#000000", "#999999"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">"]
 
 STYLE = {"font.size": 10, "axes.titlesize": 10, "axes.spines.top": False, "axes.spines.right": False,

@@ -1,6 +1,6 @@
 """The error of rendered images against the seconds spent on them."""
 
-from plot_chart import COLOURS, MARKERS, Chart, distinct, workload_title
+from plot_chart import LINE_COLOURS, MARKERS, Chart, distinct, workload_title
 from plot_inputs import InputError, measured, number, read_rows, require_once, truth
 
 WORKLOAD = ["scene", "scene_source", "triangles", "spheres", "backend"]
@@ -100,8 +100,12 @@ def group(curves):
 def names_in(members):
     """What tells the members apart."""
     varying = [name for name in CONTENDER if len({curve.row[name] for curve in members}) > 1]
+    if {"strategy", "shade"} & set(varying):  # both, as the program's own names have it
+        varying = ["strategy", *(name for name in varying if name not in ("strategy", "shade"))]
 
     def part(row, name):
+        if name == "strategy":
+            return f"{row['strategy']}+{row['shade']}"
         if name == "bounces":
             return f"{row[name]} bounces"
         if name == "roulette":
@@ -143,7 +147,7 @@ def draw_panel(panel, members, title):
     panel.set_yscale("log")
     guide = None
     for i, (curve, name) in enumerate(zip(members, names_in(members))):
-        drawn = draw_curve(panel, curve, name, COLOURS[i % 8], MARKERS[i % len(MARKERS)])
+        drawn = draw_curve(panel, curve, name, LINE_COLOURS[i % len(LINE_COLOURS)], MARKERS[i % len(MARKERS)])
         guide = guide or (drawn if len(drawn[0]) > 1 else None)
     if guide:
         draw_guide(panel, *guide)

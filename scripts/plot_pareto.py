@@ -4,7 +4,7 @@ import math
 
 import matplotlib
 
-from plot_chart import COLOURS, MARKERS, Chart, distinct, short, workload_title
+from plot_chart import LINE_COLOURS, MARKERS, Chart, distinct, short, workload_title
 from plot_inputs import InputError, measured, number, read_rows, require_once, truth
 from plot_stability import compact
 
@@ -58,7 +58,7 @@ class Looks:
 
     @staticmethod
     def _look(colour, marker, fill):
-        return {"color": COLOURS[colour % (len(COLOURS) - 1)], "marker": MARKERS[marker % len(MARKERS)],
+        return {"color": LINE_COLOURS[colour % len(LINE_COLOURS)], "marker": MARKERS[marker % len(MARKERS)],
                 "fillstyle": Looks.FILLS[fill % len(Looks.FILLS)], "markerfacecoloralt": "white", "markersize": 7}
 
     def legend(self, chart):

@@ -13,19 +13,6 @@ namespace {
 // Shares of a workload's time, for the progress line; loading and trees come before.
 constexpr double kFrame = 0.45, kVerified = 0.55;
 
-bool is_exact(const Contender& contender) {
-    for (const MethodsInfo& m : method_bundles())
-        if (m.name == contender.methods) return m.exact;
-    return false;
-}
-
-CellResult cell_of(const ContestInput& input, const Contender& contender) {
-    CellResult cell;
-    cell.workload = input.workload, cell.contender = contender;
-    cell.scene_source = input.in_results.source, cell.triangles = input.scene.mesh.triangles.size();
-    return cell;
-}
-
 // Verifies an entrant and enters its cell. `verify` returns the rows of an entrant that is rejected.
 template <class Verify>
 void enter(const RunContext& run, CellResult cell, double share, Verify&& verify) {
@@ -102,6 +89,19 @@ std::unique_ptr<FramePipeline> pipeline_of(const RunContext& run, const ContestI
 }
 
 }  // namespace
+
+bool is_exact(const Contender& contender) {
+    for (const MethodsInfo& m : method_bundles())
+        if (m.name == contender.methods) return m.exact;
+    return false;
+}
+
+CellResult cell_of(const ContestInput& input, const Contender& contender) {
+    CellResult cell;
+    cell.workload = input.workload, cell.contender = contender;
+    cell.scene_source = input.in_results.source, cell.triangles = input.scene.mesh.triangles.size();
+    return cell;
+}
 
 void run_intersect_contest(const RunContext& run, const ContestInput& input,
                            const std::vector<Contender>& contenders) {

@@ -22,6 +22,12 @@ struct ContestInput {
     SceneResult& in_results;
 };
 
+// Whether its hits are the same bit for bit whatever the tree.
+bool is_exact(const Contender& contender);
+
+// The contender's cell before anything is measured.
+CellResult cell_of(const ContestInput& input, const Contender& contender);
+
 // Both throw Interrupted after Ctrl-C, with the finished rounds kept.
 void run_intersect_contest(const RunContext& run, const ContestInput& input,
                            const std::vector<Contender>& contenders);
