@@ -35,6 +35,16 @@ struct alignas(32) BvhNode {
 };
 static_assert(sizeof(BvhNode) == 32);
 
+// bounds[offset], which is one of the axis' two planes: on a GPU chosen from registers, as element() does.
+template <int axis>
+CTP_INLINE float plane_of(const float (&bounds)[6], int offset) {
+#if defined(__CUDA_ARCH__)
+    return offset == axis ? bounds[axis] : bounds[axis + 3];
+#else
+    return bounds[offset];
+#endif
+}
+
 // What a leaf entry names: the type's position in the list of primitives, and the element of that type.
 struct PrimitiveRef {
     std::uint32_t type;

@@ -37,6 +37,9 @@ struct IntersectBuffers {
     HitKeys keys{};
     const std::uint32_t* segment_counts = nullptr;  // null: the index is dense; else entries of each segment
     std::uint32_t segments = 0;
+    // By slot, the primitive that the ray leaves out; null: no ray leaves out any. Of use to methods that
+    // exclude.
+    const std::uint32_t* excluded = nullptr;
 };
 
 // What a later pass does with the hits of the one before.
@@ -55,7 +58,7 @@ struct IntersectKernel {
     CTP_HD void operator()(std::uint32_t i) const {
         const std::uint32_t slot = io.index[i];
         const Ray ray = io.rays.load(slot);
-        const RayContext<Methods> context(ray, io.extent);
+        const RayContext<Methods> context(ray, io.extent, excluded_by(slot));
         Hit hit = no_hit(ray);
         if constexpr (pass == Pass::carry) hit = io.hits.load(slot);
         traversal.closest_hit(context, hit);
@@ -65,6 +68,13 @@ struct IntersectKernel {
         }
         io.hits.store(slot, hit);
         io.keys.record(i, slot, hit);
+    }
+
+private:
+    CTP_INLINE std::uint32_t excluded_by([[maybe_unused]] std::uint32_t slot) const {
+        if constexpr (Methods::excludes)
+            if (io.excluded != nullptr) return io.excluded[slot];
+        return kNoPrimitive;
     }
 };
 

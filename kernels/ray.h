@@ -11,7 +11,7 @@ namespace ctpbench {
 inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
 
 // Points o + t d for 0 < t <= tmax. The direction need not be normalised; t is in units of |d|.
-// Rays leave a surface from an offset origin (methods/offset_waechter_binder.h), so there is no tmin.
+// Rays leave a surface from an offset origin (methods/offset_*.h), so there is no tmin.
 struct Ray {
     Vec3 origin;
     Vec3 direction;

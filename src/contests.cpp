@@ -5,6 +5,7 @@
 #include "oracle/embree.h"
 #include "report/image.h"
 #include "wavefront/cpu_tracer.h"
+#include "wavefront/methods.h"
 #include "wavefront/renderer.h"
 
 namespace ctpbench {
@@ -90,11 +91,7 @@ std::unique_ptr<FramePipeline> pipeline_of(const RunContext& run, const ContestI
 
 }  // namespace
 
-bool is_exact(const Contender& contender) {
-    for (const MethodsInfo& m : method_bundles())
-        if (m.name == contender.methods) return m.exact;
-    return false;
-}
+bool is_exact(const Contender& contender) { return methods_exact(contender.methods); }
 
 CellResult cell_of(const ContestInput& input, const Contender& contender) {
     CellResult cell;

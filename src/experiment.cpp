@@ -21,6 +21,7 @@
 #include "report/tables.h"
 #include "run_context.h"
 #include "wavefront/forest.h"
+#include "wavefront/methods.h"
 #include "wavefront/shader.h"
 
 namespace ctpbench {

@@ -14,6 +14,8 @@
 namespace ctpbench {
 
 struct PaddedBox {
+    static constexpr const char* name = "padded";
+
     struct RaySetup {
         float ix, iy, iz;  // reciprocal direction, finite
         float near_x, near_y, near_z;
@@ -51,13 +53,13 @@ struct PaddedBox {
 
     // Whether the ray can meet the box at or before tmax; `near` is where it enters, rounded down.
     CTP_INLINE static bool test(const BvhNode& node, const RaySetup& r, float tmax, float& near) {
-        const float* b = node.bounds;
-        const float nx = fma(plane<0>(b, r.plane_x), r.ix, r.near_x);
-        const float ny = fma(plane<1>(b, r.plane_y), r.iy, r.near_y);
-        const float nz = fma(plane<2>(b, r.plane_z), r.iz, r.near_z);
-        const float fx = fma(plane<0>(b, 3 - r.plane_x), r.ix, r.far_x);
-        const float fy = fma(plane<1>(b, 5 - r.plane_y), r.iy, r.far_y);
-        const float fz = fma(plane<2>(b, 7 - r.plane_z), r.iz, r.far_z);
+        const auto& b = node.bounds;
+        const float nx = fma(plane_of<0>(b, r.plane_x), r.ix, r.near_x);
+        const float ny = fma(plane_of<1>(b, r.plane_y), r.iy, r.near_y);
+        const float nz = fma(plane_of<2>(b, r.plane_z), r.iz, r.near_z);
+        const float fx = fma(plane_of<0>(b, 3 - r.plane_x), r.ix, r.far_x);
+        const float fy = fma(plane_of<1>(b, 5 - r.plane_y), r.iy, r.far_y);
+        const float fz = fma(plane_of<2>(b, 7 - r.plane_z), r.iz, r.far_z);
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 900
         // Floats that are not negative compare like the integers that their bits are, and a negative one is
         // below all of them either way: that is all that matters here. Hopper compares three at a time.
@@ -68,18 +70,6 @@ struct PaddedBox {
 #else
         near = max(max(nx, ny), max(0.0f, nz));
         return near <= min(min(fx, fy), min(fz, tmax));
-#endif
-    }
-
-private:
-    // bounds[offset], which is one of the axis' two planes: on a GPU chosen from registers, as element()
-    // does.
-    template <int axis>
-    CTP_INLINE static float plane(const float* bounds, int offset) {
-#if defined(__CUDA_ARCH__)
-        return offset == axis ? bounds[axis] : bounds[axis + 3];
-#else
-        return bounds[offset];
 #endif
     }
 };

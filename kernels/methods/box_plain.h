@@ -1,6 +1,6 @@
 // The slab test as most renderers write it, without allowance for rounding: Williams et al., "An
 // Efficient and Robust Ray-Box Intersection Algorithm", J. Graph. Tools 10(1), 2005. It can miss a box
-// whose edge the ray touches.
+// whose edge the ray touches; where a ray lies in a box's plane, a NaN decides, and processors differ in how.
 #pragma once
 
 #include "../bvh.h"
@@ -9,6 +9,8 @@
 namespace ctpbench {
 
 struct PlainBox {
+    static constexpr const char* name = "plain";
+
     struct RaySetup {
         Vec3 origin;
         Vec3 inv;

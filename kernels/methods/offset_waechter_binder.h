@@ -25,4 +25,16 @@ CTP_INLINE Vec3 offset_origin(Vec3 p, Vec3 normal) {
             offset_component(p.z, normal.z)};
 }
 
+struct WaechterBinder {
+    static constexpr const char* name = "waechter_binder";
+    static constexpr bool excludes = false;  // whether the next intersection leaves out the primitive
+
+    // Where the next ray of a path starts. `point`: on the surface; `normal`: of unit length, to the side
+    // that the path goes on to; `direction`: of the next ray, of unit length; `t`: length of the way to the
+    // point.
+    CTP_INLINE static Vec3 origin(Vec3 point, Vec3 normal, Vec3 /*direction*/, float /*t*/) {
+        return offset_origin(point, normal);
+    }
+};
+
 }  // namespace ctpbench

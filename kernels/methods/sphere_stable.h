@@ -9,6 +9,8 @@
 namespace ctpbench {
 
 struct StableSphere {
+    static constexpr const char* name = "stable";
+
     struct Shape {
         Vec3 center;
         float radius;

@@ -8,6 +8,8 @@
 namespace ctpbench {
 
 struct MoellerTrumbore {
+    static constexpr const char* name = "moeller_trumbore";
+
     struct Shape {
         Vec3 a, e1, e2;
     };
@@ -26,10 +28,10 @@ struct MoellerTrumbore {
         const float inv = 1.0f / det;
         const Vec3 from_a = setup.ray.origin - s.a;
         const float u = dot(from_a, p) * inv;
-        if (u < 0.0f || u > 1.0f) return;
+        if (!(u >= 0.0f && u <= 1.0f)) return;
         const Vec3 q = cross(from_a, s.e1);
         const float v = dot(d, q) * inv;
-        if (v < 0.0f || u + v > 1.0f) return;
+        if (!(v >= 0.0f && u + v <= 1.0f)) return;
         const float t = dot(s.e2, q) * inv;
         if (hit.accepts(t, id)) hit = {t, id, u, v};
     }

@@ -19,6 +19,8 @@ CTP_INLINE float difference_of_products(float a, float b, float c, float d) {
 }
 
 struct WatertightTriangle {
+    static constexpr const char* name = "woop";
+
     struct Shape {
         float vertex[3][3];
     };

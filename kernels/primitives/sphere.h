@@ -19,6 +19,7 @@ struct Sphere {
     static std::uint32_t count(const GeometryView& g) { return g.sphere_count; }
 
     CTP_INLINE void intersect(const RayContext<Methods>& ray, Hit& hit) const {
+        if (ray.leaves_out(id)) return;
         Methods::Sphere::intersect(shape, id, ray.sphere, hit);
     }
 };

@@ -19,6 +19,7 @@ struct Triangle {
     static std::uint32_t count(const GeometryView& g) { return g.triangle_count; }
 
     CTP_INLINE void intersect(const RayContext<Methods>& ray, Hit& hit) const {
+        if (ray.leaves_out(id)) return;
         Methods::Triangle::intersect(shape, id, ray.triangle, hit);
     }
 };

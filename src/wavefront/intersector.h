@@ -21,6 +21,9 @@ public:
     // pass before; it concerns strategies of several passes only.
     virtual void intersect(CpuBackend& backend, const IntersectBuffers& io, bool carry_t) const = 0;
 
+    // Whether it heeds IntersectBuffers::excluded.
+    virtual bool excludes() const { return false; }
+
     // Memory of the layout beside the trees it shares.
     virtual std::size_t bytes() const = 0;
 };
@@ -32,13 +35,7 @@ struct StrategyInfo {
 };
 std::vector<StrategyInfo> intersect_strategies();
 
-struct MethodsInfo {
-    std::string name;
-    bool exact;  // hits are bit-identical whatever the tree
-};
-std::vector<MethodsInfo> method_bundles();
-
-// Lays out `strategy` with `methods`. The names must be registered.
+// Lays out `strategy` with the methods of this key (wavefront/methods.h). There must be such a contender.
 std::unique_ptr<Intersector> make_intersector(std::string_view strategy, std::string_view methods,
                                               const LayoutInput& input);
 

@@ -1,0 +1,7 @@
+#include "wavefront/cpu_intersector.h"
+
+namespace ctpbench {
+
+template std::unique_ptr<Intersector> make_with_bundle<Float64Methods>(std::string_view, const LayoutInput&);
+
+}  // namespace ctpbench

@@ -1,0 +1,8 @@
+#include "wavefront/cpu_intersector.h"
+
+namespace ctpbench {
+
+template std::unique_ptr<Intersector> make_with_tests<TestsWithTriangle<MoellerTrumbore64>>(
+    std::string_view, const LayoutInput&);
+
+}  // namespace ctpbench
