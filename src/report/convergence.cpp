@@ -6,6 +6,7 @@
 #include "measure/error_slope.h"
 #include "measure/statistics.h"
 #include "report/csv.h"
+#include "wavefront/methods.h"
 
 namespace ctpbench {
 namespace {
@@ -22,10 +23,10 @@ Fields contender_fields(const Config& config, const CellResult& cell) {
             std::to_string(cell.triangles),
             std::to_string(cell.workload.spheres),
             c.backend,
-            c.strategy,
+            c.strategy + (c.restart_carries_t ? "" : "_fresh_t"),
             c.shade,
-            c.methods,
-            c.offset,
+            intersect_methods(c.methods, c.triangle_test, c.sphere_test, c.box_test, c.offset),
+            offset_of(c.methods, c.offset),
             std::to_string(c.bounce_limit != 0 ? c.bounce_limit : config.bounces),
             c.roulette ? "true" : "false"};
 }
