@@ -30,6 +30,7 @@ struct GenerateKernel {
     RayColumns rays;
     PixelColumns pixels;
     std::uint32_t* index;
+    std::uint32_t* excluded = nullptr;  // by slot, what a ray leaves out: nothing; null: nobody asks
 
     CTP_HD void operator()(std::uint32_t i) const {
         const Random4 r = random4(seed, i, sample, 0, Dimension::camera);
@@ -39,6 +40,7 @@ struct GenerateKernel {
         rays.store(i, {camera.eye, d, std::numeric_limits<float>::infinity()});
         pixels.start(i);
         index[i] = i;
+        if (excluded != nullptr) excluded[i] = kNoPrimitive;
     }
 };
 

@@ -9,7 +9,7 @@
 namespace ctpbench {
 
 // What a draw is for; each purpose within a bounce has a dimension of its own.
-enum class Dimension : std::uint32_t { camera = 0, direction = 1 };
+enum class Dimension : std::uint32_t { camera = 0, direction = 1, survival = 2 };
 
 struct Random4 {
     float v[4];  // each in [0, 1)

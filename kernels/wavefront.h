@@ -44,6 +44,9 @@ struct PixelColumns {
     CTP_INLINE void scale_throughput(std::uint32_t i, Vec3 weight) const {
         throughput_r[i] *= weight.x, throughput_g[i] *= weight.y, throughput_b[i] *= weight.z;
     }
+    CTP_INLINE Vec3 throughput(std::uint32_t i) const {
+        return {throughput_r[i], throughput_g[i], throughput_b[i]};
+    }
     CTP_INLINE void add_radiance(std::uint32_t i, Vec3 arriving) const {
         radiance_r[i] += throughput_r[i] * arriving.x;
         radiance_g[i] += throughput_g[i] * arriving.y;
@@ -59,7 +62,7 @@ struct ImageColumns {
 
 // What shading did with a path. The lowest bit says whether it goes on.
 enum class PathFate : std::uint8_t {
-    ended = 0,    // it found a light or left the scene
+    ended = 0,    // it found a light, left the scene or did not survive roulette
     goes_on = 1,  // with a new ray
     dropped = 2,  // it was sampled to a side where nothing is reflected: a sample of value 0
 };

@@ -1,12 +1,11 @@
 #include "contests.h"
 
+#include "kernels/registry.h"
 #include "measure/contest.h"
 #include "measure/frame_contest.h"
 #include "oracle/embree.h"
 #include "report/image.h"
-#include "wavefront/cpu_tracer.h"
-#include "wavefront/methods.h"
-#include "wavefront/renderer.h"
+#include "wavefront/device_demand.h"
 
 namespace ctpbench {
 namespace {
@@ -36,28 +35,6 @@ void run_rounds(const RunContext& run, Contest& contest, Entrants& entrants) {
     }
 }
 
-Renderer renderer_of(const RunContext& run, const ContestInput& input, bool copies) {
-    const Config& c = run.config;
-    return Renderer(run.backend, input.view, input.scene.camera,
-                    {c.width, c.height, c.bounces, c.seed, copies});
-}
-
-std::vector<Batch> record_frame(const RunContext& run, const ContestInput& input) {
-    run.progress.step("tracing the reference frame", kFrame);
-    std::vector<Batch> batches;
-    ImageStorage image;
-    const auto shader = make_shader("ctp", input.view.materials());
-    renderer_of(run, input, false)
-        .frame(input.lineup.get(run.config.reference, Watertight::name), *shader, true, 0, image,
-               [&](const BounceView& view) {
-                   stop_if_interrupted();
-                   Batch& batch = batches.emplace_back(
-                       record_batch(view.bounce, view.rays, view.slots, run.config.batch_rays));
-                   batch.hit_hash = record_hits(batch, view.hits).hash();
-               });
-    return batches;
-}
-
 // What the first valid contender has accumulated; the others have the same.
 void write_images(const RunContext& run, const ContestInput& input,
                   const std::vector<FrameEntrant>& entrants) {
@@ -72,38 +49,47 @@ void write_images(const RunContext& run, const ContestInput& input,
     }
 }
 
-std::unique_ptr<BatchTracer> tracer_of(const RunContext& run, const ContestInput& input, const Contender& c) {
-    if (c.backend == "cuda") return input.cuda->tracer(c.strategy, c.methods);
-    return std::make_unique<CpuTracer>(run.backend, input.lineup.get(c.strategy, c.methods),
-                                       input.view.geometry().extent);
-}
-
-std::unique_ptr<FramePipeline> pipeline_of(const RunContext& run, const ContestInput& input,
-                                           Renderer& renderer, const Contender& c) {
-    if (c.backend == "cuda") {
-        const Config& config = run.config;
-        return input.cuda->pipeline(c.strategy, c.methods, c.shade, cuda_launch(c.launch), input.scene.camera,
-                                    {config.width, config.height, config.bounces, config.seed, true});
-    }
-    return std::make_unique<CpuPipeline>(renderer, input.lineup.get(c.strategy, c.methods),
-                                         make_shader(c.shade, input.view.materials()));
-}
-
 }  // namespace
 
-bool is_exact(const Contender& contender) { return methods_exact(contender.methods); }
-
-CellResult cell_of(const ContestInput& input, const Contender& contender) {
-    CellResult cell;
-    cell.workload = input.workload, cell.contender = contender;
-    cell.scene_source = input.in_results.source, cell.triangles = input.scene.mesh.triangles.size();
-    return cell;
+std::vector<Batch> record_frame(const RunContext& run, const ContestInput& input) {
+    run.progress.step("tracing the reference frame", kFrame);
+    std::vector<Batch> batches;
+    ImageStorage image;
+    Contender recording;
+    recording.backend = "cpu", recording.strategy = run.config.reference;
+    recording.methods = Watertight::name, recording.shade = ShadeCtp::name;
+    PipelineMaker(run, input)
+        .make(recording, frame_settings(run.config, recording))
+        ->frame(true, 0, image, [&](const BounceView& view) {
+            stop_if_interrupted();
+            Batch& batch = batches.emplace_back(
+                record_batch(view.bounce, view.rays, view.slots, run.config.batch_rays, view.excluded));
+            batch.hit_hash = record_hits(batch, view.hits).hash();
+        });
+    return batches;
 }
 
-void run_intersect_contest(const RunContext& run, const ContestInput& input,
+std::unique_ptr<CudaWorkload> cuda_workload(const RunContext& run, ContestInput& input,
+                                            const LayoutInput& layout,
+                                            const std::vector<Contender>& contenders) {
+    DeviceDemand demand;
+    for (const Contender& c : contenders) {
+        if (c.backend != "cuda") continue;
+        demand.intersectors.insert({c.strategy, intersect_key(c)});
+        if (!c.renders()) continue;
+        demand.shaders.push_back(c.shade);
+        demand.frames = frame_settings(run.config, c);
+    }
+    if (demand.intersectors.empty()) return nullptr;
+    run.progress.step("counting what the device will hold", kFrame);
+    require_device_memory(input.workload.name(), bytes_demanded(demand, input.view, layout, input.batches),
+                          cuda_memory());
+    return make_cuda_workload(input.view, layout, input.batches);
+}
+
+void run_intersect_contest(const RunContext& run, ContestInput& input,
                            const std::vector<Contender>& contenders) {
-    std::vector<Batch> batches = record_frame(run, input);
-    Contest contest(run.backend, input.view.geometry(), batches, input.oracle, run.config.oracle_rays);
+    Contest contest(run.backend, input.view.geometry(), input.batches, input.oracle, run.config.oracle_rays);
     std::vector<Entrant> entrants;
     for (const Contender& c : contenders) {
         const bool yardstick = c.is_yardstick();
@@ -128,12 +114,14 @@ void run_intersect_contest(const RunContext& run, const ContestInput& input,
 
 void run_frame_contest(const RunContext& run, const ContestInput& input,
                        const std::vector<Contender>& contenders) {
-    Renderer renderer = renderer_of(run, input, true);
+    PipelineMaker pipelines(run, input);
     FrameContest contest(input.view.geometry(), run.backend, input.oracle, run.config.oracle_rays);
     std::vector<FrameEntrant> entrants;
     for (const Contender& c : contenders) {
-        entrants.push_back({run.results.cells.size(), pipeline_of(run, input, renderer, c),
-                            c.restart_carries_t, is_exact(c)});
+        FrameSettings settings = frame_settings(run.config, c);
+        settings.copies = true;
+        entrants.push_back(
+            {run.results.cells.size(), pipelines.make(c, settings), c.restart_carries_t, is_exact(c)});
         enter(run, cell_of(input, c),
               static_cast<double>(entrants.size()) / static_cast<double>(contenders.size()),
               [&](CellResult& cell) { return contest.verify(entrants.back(), cell); });

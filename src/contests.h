@@ -2,34 +2,25 @@
 // renders the same frames.
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "measure/lineup.h"
-#include "run_context.h"
-#include "scene/scene.h"
-#include "wavefront/cuda_workload.h"
-#include "wavefront/scene_view.h"
+#include "entrants.h"
+#include "kernels/dispatch/layout.h"
 
 namespace ctpbench {
 
-struct ContestInput {
-    const Workload& workload;
-    const Scene& scene;
-    const SceneView& view;
-    Lineup& lineup;
-    CudaWorkload* cuda;         // null: no contender is for CUDA
-    const Intersector* oracle;  // null: there is none
-    SceneResult& in_results;
-};
+// Renders the reference's frame and keeps the rays of each bounce.
+std::vector<Batch> record_frame(const RunContext& run, const ContestInput& input);
 
-// Whether its hits are the same bit for bit whatever the tree.
-bool is_exact(const Contender& contender);
-
-// The contender's cell before anything is measured.
-CellResult cell_of(const ContestInput& input, const Contender& contender);
+// Null if no contender is for CUDA. Throws Error(no_backend) if they do not all fit the device's memory;
+// nothing is allocated there before that is known.
+std::unique_ptr<CudaWorkload> cuda_workload(const RunContext& run, ContestInput& input,
+                                            const LayoutInput& layout,
+                                            const std::vector<Contender>& contenders);
 
 // Both throw Interrupted after Ctrl-C, with the finished rounds kept.
-void run_intersect_contest(const RunContext& run, const ContestInput& input,
+void run_intersect_contest(const RunContext& run, ContestInput& input,
                            const std::vector<Contender>& contenders);
 void run_frame_contest(const RunContext& run, const ContestInput& input,
                        const std::vector<Contender>& contenders);

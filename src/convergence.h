@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "contests.h"
+#include "entrants.h"
 
 namespace ctpbench {
 

@@ -188,8 +188,9 @@ private:
         stop_if_interrupted();
         std::vector<Contender> intersecting, rendering;
         for (const Contender& c : cells.contenders) (c.renders() ? rendering : intersecting).push_back(c);
-        const std::unique_ptr<CudaWorkload> cuda = device_ ? make_cuda_workload(view, layout) : nullptr;
-        const ContestInput input{cells.workload, scene, view, lineup, cuda.get(), oracle, in_results};
+        ContestInput input{cells.workload, scene, view, lineup, oracle, in_results};
+        if (!intersecting.empty()) input.batches = record_frame(context_, input);
+        input.cuda = cuda_workload(context_, input, layout, cells.contenders);
         if (!intersecting.empty()) run_intersect_contest(context_, input, intersecting);
         if (rendering.empty()) return;
         if (config_.study == Study::convergence)
@@ -222,6 +223,12 @@ KnownNames known_names() {
     for (const MethodsInfo& m : method_bundles()) names.methods.push_back(m.name);
     names.shades = shade_strategies();
     for (const BuilderInfo& b : tree_builders()) names.builders.push_back(b.name);
+    names.triangle_tests = triangle_tests(), names.sphere_tests = sphere_tests();
+    names.box_tests = box_tests(), names.offsets = offsets();
+    names.obstacle = [](const Contender& c) {
+        if (c.is_yardstick()) return std::string();
+        return methods_obstacle(c.strategy, c.methods, c.triangle_test, c.sphere_test, c.box_test, c.offset);
+    };
     names.traversals = {"single"};
     names.studies = {"speed", "stability", "convergence"};
     return names;

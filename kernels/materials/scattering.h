@@ -36,6 +36,10 @@ struct PathRandom {
     std::uint32_t pixel, sample, bounce;
 
     CTP_INLINE Random4 draw() const { return random4(seed, pixel, sample, bounce, Dimension::direction); }
+    // What decides whether the path survives: of its own, so that directions are the same with and without.
+    CTP_INLINE float draw_survival() const {
+        return random4(seed, pixel, sample, bounce, Dimension::survival).v[0];
+    }
 };
 
 enum class ScatterEvent : std::uint32_t {

@@ -66,4 +66,21 @@ CudaDevice use_cuda_device(int number) {
     return device;
 }
 
+CudaMemory cuda_memory() {
+    // The driver keeps a stack for each thread that the device can hold, sized by the kernel with the
+    // largest, and takes it when that kernel is first launched. Ours need less than a KiB
+    // (scripts/cuda_resources).
+    constexpr std::size_t stack = std::size_t{1} << 10, code = std::size_t{64} << 20;
+    CudaMemory memory;
+    check_cuda(cudaMemGetInfo(&memory.free, &memory.total), "asking for the device's memory");
+    cudaDeviceProp properties;
+    int number = 0;
+    check_cuda(cudaGetDevice(&number), "asking for the device");
+    check_cuda(cudaGetDeviceProperties(&properties, number), "asking for the device's properties");
+    const auto threads = static_cast<std::size_t>(properties.multiProcessorCount) *
+                         static_cast<std::size_t>(properties.maxThreadsPerMultiProcessor);
+    memory.beside = threads * stack + code;
+    return memory;
+}
+
 }  // namespace ctpbench

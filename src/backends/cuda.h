@@ -23,4 +23,12 @@ std::string cuda_obstacle(int number);
 // Makes the device the one that this thread works on. Throws Error(no_backend) with its obstacle.
 CudaDevice use_cuda_device(int number);
 
+struct CudaMemory {
+    std::size_t free = 0, total = 0;  // bytes
+    std::size_t beside = 0;  // of those free, what the driver may yet take for itself: stacks and code
+};
+
+// Of the device that this thread works on.
+CudaMemory cuda_memory();
+
 }  // namespace ctpbench

@@ -24,6 +24,10 @@ std::vector<Row> rows_of(std::size_t cell, std::uint32_t round, const std::vecto
 
 }  // namespace
 
+std::string pictures_of(const Contender& c, bool exact) {
+    return exact ? c.backend + "/" + c.methods + c.exchanged() : c.label();
+}
+
 FrameContest::FrameContest(const GeometryView& geometry, CpuBackend& backend, const Intersector* oracle,
                            std::uint32_t oracle_rays)
     : geometry_(geometry), backend_(backend), oracle_(oracle), oracle_rays_(oracle_rays) {}
@@ -31,18 +35,18 @@ FrameContest::FrameContest(const GeometryView& geometry, CpuBackend& backend, co
 std::vector<Row> FrameContest::verify(FrameEntrant& entrant, CellResult& cell) {
     std::vector<std::uint64_t> hashes;
     ImageStorage image;
-    std::vector<std::uint64_t>& expected = expected_[cell.contender.backend];
-    HitJudge& judge =
-        judges_.try_emplace(cell.contender.backend, backend_, geometry_, oracle_, oracle_rays_).first->second;
+    const std::string pictures = pictures_of(cell.contender, entrant.exact);
+    std::vector<std::uint64_t>& expected = expected_[pictures];
+    HitJudge& judge = judges_.try_emplace(pictures, backend_, geometry_, oracle_, oracle_rays_).first->second;
     std::vector<StageTime> stages =
         entrant.pipeline->frame(entrant.carry_t, 0, image, [&](const BounceView& view) {
             // In the order of the slots, which does not depend on how a strategy has reordered its paths.
             std::vector<std::uint32_t> slots = view.slots;
             std::sort(slots.begin(), slots.end());
-            Batch all = record_batch(view.bounce, view.rays, slots, 0);
+            Batch all = record_batch(view.bounce, view.rays, slots, 0, view.excluded);
             const std::uint64_t hash = record_hits(all, view.hits).hash();
             if (judge.can_judge()) {
-                Batch batch = record_batch(view.bounce, view.rays, slots, oracle_rays_);
+                Batch batch = record_batch(view.bounce, view.rays, slots, oracle_rays_, view.excluded);
                 HitStorage hits = record_hits(batch, view.hits);
                 cell.verdict += judge.judge_hits(view.bounce, batch, hits, hash);
             }
@@ -88,7 +92,7 @@ std::vector<Row> FrameContest::round(std::uint32_t number, std::vector<FrameEntr
     for (std::size_t e = 0; e < entrants.size(); ++e) {
         CellResult& cell = results.cells[entrants[e].cell];
         if (frames[e].stages.empty()) continue;
-        std::uint64_t& expected = expected_images[cell.contender.backend];
+        std::uint64_t& expected = expected_images[pictures_of(cell.contender, entrants[e].exact)];
         if (entrants[e].exact && expected == 0) expected = frames[e].image_hash;
         if (entrants[e].exact && frames[e].image_hash != expected) {
             cell.valid = false;

@@ -14,6 +14,10 @@
 
 namespace ctpbench {
 
+// Contenders of one name trace the same rays and must render the same image: those of one backend who leave
+// surfaces, and end paths, in the same way. Where hits depend on the tree, each has a name of its own.
+std::string pictures_of(const Contender& contender, bool exact);
+
 struct FrameEntrant {
     std::size_t cell;  // in Results::cells
     std::unique_ptr<FramePipeline> pipeline;
@@ -43,8 +47,8 @@ private:
     CpuBackend& backend_;
     const Intersector* oracle_;
     std::uint32_t oracle_rays_;
-    std::map<std::string, HitJudge> judges_;  // by backend, since rays are the same within one alone
-    // By backend, hashes of the first exact entrant: hits by bounce, then the image.
+    std::map<std::string, HitJudge> judges_;  // of those who trace the same rays
+    // Of those who must render the same, hashes of the first exact entrant: hits by bounce, then the image.
     std::map<std::string, std::vector<std::uint64_t>> expected_;
 };
 

@@ -6,7 +6,7 @@
 namespace ctpbench {
 
 Batch record_batch(std::uint32_t bounce, RayColumns rays, const std::vector<std::uint32_t>& slots,
-                   std::uint32_t limit) {
+                   std::uint32_t limit, const std::uint32_t* excluded) {
     constexpr std::uint32_t run = 1024;
     Batch batch;
     batch.bounce = bounce;
@@ -27,13 +27,17 @@ Batch record_batch(std::uint32_t bounce, RayColumns rays, const std::vector<std:
     std::iota(batch.index.begin(), batch.index.end(), 0u);
     const RayColumns out = batch.rays.view();
     for (std::uint32_t i = 0; i < kept; ++i) out.store(i, rays.load(batch.slots[i]));
+    if (excluded != nullptr)
+        for (const std::uint32_t slot : batch.slots) batch.excluded.push_back(excluded[slot]);
     return batch;
 }
 
 IntersectBuffers batch_buffers(Batch& batch, HitStorage& hits, float extent) {
     hits.resize(batch.rays.size());
-    return {batch.rays.view(), hits.view(), batch.index.data(), static_cast<std::uint32_t>(batch.rays.size()),
-            extent};
+    IntersectBuffers io{batch.rays.view(), hits.view(), batch.index.data(),
+                        static_cast<std::uint32_t>(batch.rays.size()), extent};
+    if (!batch.excluded.empty()) io.excluded = batch.excluded.data();
+    return io;
 }
 
 HitStorage record_hits(const Batch& batch, HitColumns hits) {

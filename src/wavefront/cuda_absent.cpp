@@ -5,6 +5,8 @@
 namespace ctpbench {
 
 // Nobody gets here: use_cuda_device() has refused before.
-std::unique_ptr<CudaWorkload> make_cuda_workload(const SceneView&, const LayoutInput&) { trap(); }
+std::unique_ptr<CudaWorkload> make_cuda_workload(const SceneView&, const LayoutInput&, std::vector<Batch>&) {
+    trap();
+}
 
 }  // namespace ctpbench

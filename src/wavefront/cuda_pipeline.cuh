@@ -4,14 +4,14 @@
 
 #include <array>
 #include <memory>
-#include <string>
 
 #include "kernels/generate.h"
+#include "wavefront/cuda_stage_times.cuh"
 #include "wavefront/cuda_workload.h"
 #include "wavefront/device_intersector.cuh"
 #include "wavefront/device_shader.cuh"
-#include "wavefront/device_wavefront.cuh"
-#include "wavefront/frame_clock.cuh"
+#include "wavefront/frame_graph.cuh"
+#include "wavefront/placed_wavefront.h"
 
 namespace ctpbench {
 
@@ -19,9 +19,8 @@ class CudaPipeline final : public FramePipeline {
 public:
     // Intersector and buffers must outlive it.
     CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr<DeviceShader> shader,
-                 CudaLaunch launch, DeviceWavefront& wavefront, const SceneView& scene, const Camera& camera,
+                 CudaLaunch launch, PlacedWavefront& wavefront, const SceneView& scene, const Camera& camera,
                  const FrameSettings& settings);
-    ~CudaPipeline() override;
 
     std::vector<StageTime> frame(bool carry_t, std::uint32_t sample, ImageStorage& image,
                                  const BounceObserver& observe) override;
@@ -36,14 +35,12 @@ private:
     bool sorts() const;
     void compact(std::uint32_t bounce);
     void show(std::uint32_t bounce, const BounceObserver& observe);
-    void run_graph(bool carry_t, std::uint32_t sample);
-    std::vector<StageTime> stage_times() const;
-    BounceCounts* counts(std::uint32_t bounce) const { return wavefront_.counts.data() + bounce; }
+    BounceCounts* counts(std::uint32_t bounce) const { return wavefront_.counts + bounce; }
 
     const DeviceIntersector& intersector_;
     std::unique_ptr<DeviceShader> shader_;
     CudaLaunch launch_;
-    DeviceWavefront& wavefront_;
+    PlacedWavefront& wavefront_;
     CameraFrame camera_;
     FrameSettings settings_;
     Vec3 ambient_;
@@ -54,8 +51,8 @@ private:
     DeviceEvent forked_;
     std::array<DeviceEvent, kShadeKeys> joined_;
     FrameClock clock_;
-    std::array<std::string, kShadeKeys> part_names_;
-    cudaGraphExec_t graph_ = nullptr;
+    ShadePartNames part_names_;
+    FrameGraph graph_;
 };
 
 }  // namespace ctpbench

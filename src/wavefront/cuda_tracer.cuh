@@ -15,9 +15,9 @@ public:
         : intersector_(intersector), batches_(batches), extent_(extent) {}
 
     Traced trace(Batch& batch, bool carry_t) override {
-        DeviceBatches::Entry& entry = batches_.get(batch);
+        PlacedBatch& entry = batches_.get(batch);
         const auto n = static_cast<std::uint32_t>(batch.rays.size());
-        const IntersectBuffers io{entry.rays.view(), batches_.hits(), entry.index.data(), n, extent_};
+        const IntersectBuffers io{entry.rays, batches_.hits(), entry.index, n, extent_};
         begin_.record(stream_.get());
         intersector_.intersect(stream_.get(), io, {n}, carry_t);
         end_.record(stream_.get());
@@ -27,7 +27,7 @@ public:
         if (entry.first_hash != 0 && batches_.same_as_first(entry, n)) return {seconds, entry.first_hash};
         const std::uint64_t hash = hits().hash();
         if (entry.first_hash == 0) {
-            copy_columns(entry.first_hits.view(), batches_.hits(), n);
+            copy_columns(entry.first_hits, batches_.hits(), n);
             entry.first_hash = hash;
         }
         return {seconds, hash};

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "kernels/dispatch/layout.h"
 #include "wavefront/batch_tracer.h"
@@ -26,16 +27,21 @@ inline CudaLaunch cuda_launch(const std::string& name) {
 class CudaWorkload {
 public:
     virtual ~CudaWorkload() = default;
-    // Names must be registered. What differs only in how it is launched shares its layout.
+    // Names must be registered. What differs only in how it is launched shares its layout. Traces the batches
+    // of this workload alone.
     virtual std::unique_ptr<BatchTracer> tracer(const std::string& strategy, const std::string& methods) = 0;
-    // All pipelines of a workload have the same settings.
+    // All pipelines of a workload have frames of the same size.
     virtual std::unique_ptr<FramePipeline> pipeline(const std::string& strategy, const std::string& methods,
                                                     const std::string& shade, CudaLaunch launch,
                                                     const Camera& camera, const FrameSettings& settings) = 0;
+    // Of the device's memory, as bytes_demanded() counts them.
+    virtual std::size_t bytes() const = 0;
 };
 
-// All of these must outlive it. The device is that which use_cuda_device() has chosen.
-std::unique_ptr<CudaWorkload> make_cuda_workload(const SceneView& scene, const LayoutInput& layout);
+// All of these must outlive it, and the batches stay where they are. The device is that which
+// use_cuda_device() has chosen.
+std::unique_ptr<CudaWorkload> make_cuda_workload(const SceneView& scene, const LayoutInput& layout,
+                                                 std::vector<Batch>& batches);
 
 // The yardsticks that CUDA has.
 inline constexpr const char* kCudaYardstick = "while_while";

@@ -3,12 +3,10 @@
 // known.
 #pragma once
 
-#include <map>
-#include <memory>
-
-#include "backends/cuda_launch.cuh"
-#include "wavefront/batch.h"
-#include "wavefront/device_columns.cuh"
+#include "kernels/platform.h"
+#include "wavefront/device_copy.cuh"
+#include "wavefront/device_place.cuh"
+#include "wavefront/placed_batches.h"
 
 namespace ctpbench {
 
@@ -27,42 +25,31 @@ struct CompareHits {
 
 class DeviceBatches {
 public:
-    struct Entry {
-        DeviceRays rays;
-        DeviceArray<std::uint32_t> index;
-        DeviceHits first_hits;
-        std::uint64_t first_hash = 0;  // 0: there are none yet
-    };
-
-    // The batch must stay where it is.
-    Entry& get(Batch& batch) {
-        std::unique_ptr<Entry>& entry = entries_[&batch];
-        if (!entry) {
-            const std::size_t n = batch.rays.size();
-            entry = std::make_unique<Entry>();
-            entry->rays = DeviceRays(n), entry->first_hits = DeviceHits(n);
-            entry->index = DeviceArray<std::uint32_t>(batch.index.data(), n);
-            copy_columns(entry->rays.view(), batch.rays.view(), n);
-            if (hits_.size() < n) hits_ = DeviceHits(n);
-        }
-        return *entry;
+    // All must outlive it, and the batches stay where they are.
+    DeviceBatches(const DevicePlace& place, std::vector<Batch>& batches)
+        : batches_(batches), placed_(batches_in(place, batches)) {
+        for (Batch& batch : batches) copy_columns(get(batch).rays, batch.rays.view(), batch.rays.size());
     }
-    // Where contenders leave their hits; every batch fits.
-    HitColumns hits() const { return hits_.view(); }
 
-    bool same_as_first(const Entry& entry, std::size_t n) {
-        differ_.clear();
+    PlacedBatch& get(const Batch& batch) {
+        for (std::size_t i = 0; i < batches_.size(); ++i)
+            if (&batches_[i] == &batch) return placed_.each[i];
+        trap();
+    }
+    HitColumns hits() const { return placed_.hits; }
+
+    bool same_as_first(const PlacedBatch& batch, std::size_t n) {
+        check_cuda(cudaMemset(placed_.differ, 0, sizeof(std::uint32_t)), "comparing hits");
         launch_for_each(nullptr, {static_cast<std::uint32_t>(n)},
-                        CompareHits{hits(), entry.first_hits.view(), differ_.data()}, "comparing hits");
+                        CompareHits{hits(), batch.first_hits, placed_.differ}, "comparing hits");
         std::uint32_t differ = 0;
-        differ_.download(&differ, 1);
+        copy_column(&differ, placed_.differ, 1);
         return differ == 0;
     }
 
 private:
-    std::map<const Batch*, std::unique_ptr<Entry>> entries_;
-    DeviceHits hits_;
-    DeviceArray<std::uint32_t> differ_{1};
+    std::vector<Batch>& batches_;
+    PlacedBatches placed_;
 };
 
 }  // namespace ctpbench

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string_view>
 
-#include "backends/cuda_launch.cuh"
 #include "kernels/dispatch/layout.h"
+#include "wavefront/device_place.cuh"
 
 namespace ctpbench {
 
@@ -15,11 +15,11 @@ public:
     // As Intersector::intersect(), of `count` active rays; all pointers are the device's.
     virtual void intersect(cudaStream_t stream, const IntersectBuffers& io, DeviceCount count,
                            bool carry_t) const = 0;
-    virtual std::size_t bytes() const = 0;
 };
 
-// The names must be registered, or be the yardstick's.
-std::unique_ptr<DeviceIntersector> make_device_intersector(std::string_view strategy,
+// The names must be registered, or be the yardstick's. The place must outlive it.
+std::unique_ptr<DeviceIntersector> make_device_intersector(const DevicePlace& place,
+                                                           std::string_view strategy,
                                                            std::string_view methods,
                                                            const LayoutInput& input);
 

@@ -1,9 +1,8 @@
 // The explicit instantiations of every shade strategy on a device.
 #include "wavefront/device_shader.cuh"
 
-#include "kernels/registry.h"
-#include "wavefront/device_objects.cuh"
 #include "wavefront/device_typed_shade.cuh"
+#include "wavefront/placed_materials.h"
 
 namespace ctpbench {
 namespace {
@@ -12,7 +11,7 @@ namespace {
 template <class Table>
 class OneKernel final : public DeviceShader {
 public:
-    OneKernel(DevicePlace place, const Table& table) : place_(std::move(place)), table_(table) {}
+    explicit OneKernel(const Table& table) : table_(table) {}
 
     PathOrder order() const override { return PathOrder::as_traced; }
     std::uint32_t kernels() const override { return 1; }
@@ -23,15 +22,13 @@ public:
     }
 
 private:
-    DevicePlace place_;
     Table table_;
 };
 
 // A kernel per type, and one for paths that hit nothing.
 class KernelPerType final : public DeviceShader {
 public:
-    KernelPerType(PathOrder order, const MaterialInput& materials)
-        : order_(order), view_(TypedMaterialArrays(materials).view(place_)) {
+    KernelPerType(PathOrder order, const TypedMaterialArrays::View& view) : order_(order), view_(view) {
         int device = 0, multiprocessors = 0;
         check_cuda(cudaGetDevice(&device), "asking for the device");
         check_cuda(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, device),
@@ -81,67 +78,23 @@ private:
     }
 
     PathOrder order_;
-    DevicePlace place_;
     TypedMaterialArrays::View view_;
     std::uint32_t most_blocks_ = 0;
 };
 
-// Base-class pointers by material number.
-struct PointToMaterial {
-    const MaterialBase** pointers;
-    const MaterialBase* object;
-
-    __device__ void operator()(std::uint32_t) const { *pointers = object; }
-};
-
-// As on the host, `oop` has its objects apart and `oop_arena` has those of one type together.
-VirtualMaterials virtual_materials(const MaterialInput& in, const DevicePlace& place, bool apart) {
-    auto* pointers =
-        static_cast<const MaterialBase**>(place.reserve(in.count() * sizeof(const MaterialBase*)));
-    for_each_type(Materials{}, [&](auto tag) {
-        using T = typename decltype(tag)::type;
-        Array<T> values;
-        for (std::uint32_t i = in.first[material_type<T>]; i < in.first[material_type<T> + 1]; ++i)
-            values.push_back(T::make(in.descriptions[i]));
-        MaterialObject<T>* objects = apart ? nullptr : construct_objects<MaterialObject<T>>(place, values);
-        for (std::uint32_t i = 0; i < values.size(); ++i) {
-            const MaterialObject<T>* object =
-                apart ? construct_objects<MaterialObject<T>>(place, Array<T>{values[i]}) : objects + i;
-            launch_for_each(nullptr, {1}, PointToMaterial{pointers + in.first[material_type<T>] + i, object},
-                            "pointing to materials");
-        }
-    });
-    check_cuda(cudaDeviceSynchronize(), "pointing to materials");
-    return {pointers};
-}
-
-template <class Table>
-std::unique_ptr<DeviceShader> one_kernel(DevicePlace place, const Table& table) {
-    return std::make_unique<OneKernel<Table>>(std::move(place), table);
-}
-
-template <class Strategy>
-std::unique_ptr<DeviceShader> made_for(const MaterialInput& materials) {
-    DevicePlace place;
-    if constexpr (Strategy::order != PathOrder::as_traced) {
-        return std::make_unique<KernelPerType>(Strategy::order, materials);
-    } else if constexpr (std::is_same_v<Strategy, ShadeOop> || std::is_same_v<Strategy, ShadeOopArena>) {
-        const VirtualMaterials table =
-            virtual_materials(materials, place, std::is_same_v<Strategy, ShadeOop>);
-        return one_kernel(std::move(place), table);
-    } else {
-        const auto table = typename Strategy::Layout(materials).view(place);
-        return one_kernel(std::move(place), table);
-    }
-}
-
 }  // namespace
 
-std::unique_ptr<DeviceShader> make_device_shader(std::string_view strategy, const MaterialInput& materials) {
+std::unique_ptr<DeviceShader> make_device_shader(const DevicePlace& place, std::string_view strategy,
+                                                 const MaterialInput& materials) {
     std::unique_ptr<DeviceShader> made;
     for_each_type(ShadeStrategies{}, [&](auto tag) {
         using Strategy = typename decltype(tag)::type;
-        if (strategy == Strategy::name) made = made_for<Strategy>(materials);
+        if (strategy != Strategy::name) return;
+        const auto view = materials_in<Strategy>(place, materials);
+        if constexpr (Strategy::order == PathOrder::as_traced)
+            made = std::make_unique<OneKernel<std::remove_const_t<decltype(view)>>>(view);
+        else
+            made = std::make_unique<KernelPerType>(Strategy::order, view);
     });
     if (!made) trap();
     return made;

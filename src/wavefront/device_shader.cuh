@@ -4,8 +4,8 @@
 #include <memory>
 #include <string_view>
 
-#include "backends/cuda_launch.cuh"
 #include "kernels/dispatch/shade/layout.h"
+#include "wavefront/device_place.cuh"
 
 namespace ctpbench {
 
@@ -32,7 +32,8 @@ public:
                         const DeviceShadeWork& work) const = 0;
 };
 
-// The name must be registered.
-std::unique_ptr<DeviceShader> make_device_shader(std::string_view strategy, const MaterialInput& materials);
+// The name must be registered. The place must outlive it.
+std::unique_ptr<DeviceShader> make_device_shader(const DevicePlace& place, std::string_view strategy,
+                                                 const MaterialInput& materials);
 
 }  // namespace ctpbench

@@ -1,6 +1,7 @@
 // Shade kernels for the paths of one type, in a list whose place and length the device alone knows.
 #pragma once
 
+#include "backends/cuda_launch.cuh"
 #include "kernels/append.h"
 #include "kernels/dispatch/shade/typed_materials.h"
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "kernels/roulette.h"
 #include "wavefront/columns.h"
 
 namespace ctpbench {
@@ -14,6 +15,10 @@ struct FrameSettings {
     std::uint32_t bounces;  // intersections after the camera ray's
     std::uint64_t seed;
     bool copies = false;  // whether to time a plain copy of the index buffer at each bounce (a yardstick)
+    // The bounce from which on paths must survive roulette (kernels/roulette.h); 0 is the camera ray's hit.
+    std::uint32_t roulette_from = kNoRoulette;
+
+    bool operator==(const FrameSettings&) const = default;
 };
 
 // One stage at one bounce. The name is the row's kernel: generate, intersect, copy, sort, shade, compact,
@@ -34,6 +39,7 @@ struct BounceView {
     RayColumns rays;
     HitColumns hits;
     const std::vector<std::uint32_t>& slots;  // of the active paths, in the order of the wavefront
+    const std::uint32_t* excluded = nullptr;  // by slot, the primitive that the ray left out; null: none does
 };
 using BounceObserver = std::function<void(const BounceView&)>;
 

@@ -1,5 +1,7 @@
 #include "wavefront/methods.h"
 
+#include "config/axes.h"
+
 #include <algorithm>
 
 #include "base/suggest.h"
@@ -34,7 +36,7 @@ struct Parts {
 Parts parts_of(const std::string& bundle, const std::string& triangle, const std::string& sphere,
                const std::string& box, const std::string& offset) {
     const auto part = [](const std::string& chosen, const std::string& own) {
-        return chosen == own_part ? own : chosen;
+        return chosen == of_bundle ? own : chosen;
     };
     for (const MethodsInfo& m : method_bundles())
         if (m.name == bundle)
@@ -56,8 +58,8 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string unknown_part(const std::string& what, const std::string& name, std::vector<std::string> known) {
-    known.push_back(own_part);
+std::string unknof_bundle(const std::string& what, const std::string& name, std::vector<std::string> known) {
+    known.push_back(of_bundle);
     return has(known, name) ? "" : unknown_name(what, name, known);
 }
 
@@ -86,9 +88,9 @@ std::string methods_obstacle(const std::string& strategy, const std::string& bun
     if (!has(strategies, strategy)) return unknown_name("strategy", strategy, strategies);
     if (!has(bundles, bundle)) return unknown_name("methods", bundle, bundles);
     for (const std::string& why :
-         {unknown_part("triangle test", triangle_test, triangle_tests()),
-          unknown_part("sphere test", sphere_test, sphere_tests()),
-          unknown_part("box test", box_test, box_tests()), unknown_part("offset", offset, offsets())})
+         {unknof_bundle("triangle test", triangle_test, triangle_tests()),
+          unknof_bundle("sphere test", sphere_test, sphere_tests()),
+          unknof_bundle("box test", box_test, box_tests()), unknof_bundle("offset", offset, offsets())})
         if (!why.empty()) return why;
 
     const Parts parts = parts_of(bundle, triangle_test, sphere_test, box_test, offset);
@@ -127,7 +129,7 @@ std::string intersect_methods(const std::string& bundle, const std::string& tria
 }
 
 std::string offset_of(const std::string& bundle, const std::string& offset) {
-    return parts_of(bundle, own_part, own_part, own_part, offset).offset;
+    return parts_of(bundle, of_bundle, of_bundle, of_bundle, offset).offset;
 }
 
 bool methods_exact(const std::string& key) {

@@ -1,5 +1,5 @@
 // The methods that runs may choose from, by name, and which of them go together. A choice is a bundle and,
-// for each of its parts, what to use in place of the bundle's own: own_part keeps that.
+// for each of its parts, what to use in place of the bundle's own: of_bundle keeps that.
 #pragma once
 
 #include <string>
@@ -18,8 +18,6 @@ std::vector<std::string> triangle_tests();
 std::vector<std::string> sphere_tests();
 std::vector<std::string> box_tests();
 std::vector<std::string> offsets();
-
-inline constexpr const char* own_part = "bundle";
 
 // Why there is no contender of this strategy with these methods, and what to choose instead; empty if there
 // is one. Any of the names may be unknown.

@@ -35,6 +35,9 @@ std::vector<StageTime> Renderer::frame(const Intersector& intersector, const Sha
         queue_counts_.resize(segments_);
         segment_counts_.resize(segments_), dropped_counts_.resize(segments_);
     }
+    if (shader.excludes() && !intersector.excludes()) trap();  // every hit would be suspect
+    if (shader.excludes()) excluded_.resize(pixels());
+    exclude_ = shader.excludes() ? excluded_.data() : nullptr;
     generate(sample);
     for (std::uint32_t bounce = 0; bounce <= settings_.bounces && active_ > 0; ++bounce) {
         intersect(bounce, intersector, order, carry_t);
@@ -58,8 +61,9 @@ StageTime& Renderer::time(const char* kernel, std::uint32_t bounce, F&& stage) {
 void Renderer::generate(std::uint32_t sample) {
     active_ = pixels();
     time("generate", 0, [&] {
-        backend_.for_each(active_, GenerateKernel{camera_, settings_.width, settings_.height, settings_.seed,
-                                                  sample, rays_.view(), pixels_.view(), index_.data()});
+        backend_.for_each(active_,
+                          GenerateKernel{camera_, settings_.width, settings_.height, settings_.seed, sample,
+                                         rays_.view(), pixels_.view(), index_.data(), exclude_});
     });
     // The index is full, so its segments are, but for the last.
     for (std::uint32_t s = 0; s < segment_counts_.size(); ++s)
@@ -70,6 +74,7 @@ void Renderer::intersect(std::uint32_t bounce, const Intersector& intersector, P
                          bool carry_t) {
     IntersectBuffers io{rays_.view(), hits_.view(), index_.data(), active_, scene_.geometry().extent};
     io.keys.words = scene_.words();
+    io.excluded = exclude_;
     if (order == PathOrder::sorted || order == PathOrder::restored) io.keys.keys = keys_.data();
     time("intersect", bounce, [&] {
         if (order == PathOrder::queued) {
@@ -113,9 +118,20 @@ void Renderer::sort(std::uint32_t bounce, PathOrder order) {
 }
 
 void Renderer::shade(std::uint32_t bounce, std::uint32_t sample, const Shader& shader) {
-    const ShadeBuffers io{
-        scene_.geometry(), scene_.attributes(), scene_.words(), rays_.view(), hits_.view(), pixels_.view(),
-        index_.data(),     fates_.data(),       settings_.seed, sample,       bounce,       scene_.ambient()};
+    const ShadeBuffers io{scene_.geometry(),
+                          scene_.attributes(),
+                          scene_.words(),
+                          rays_.view(),
+                          hits_.view(),
+                          pixels_.view(),
+                          index_.data(),
+                          fates_.data(),
+                          settings_.seed,
+                          sample,
+                          bounce,
+                          scene_.ambient(),
+                          settings_.roulette_from,
+                          exclude_};
     work_.count = active_;
     if (shader.order() == PathOrder::queued) {
         work_.queues = {queue_slots_.data(), queue_counts_.data(), segments_ * kSegment};
@@ -163,7 +179,7 @@ void Renderer::show(std::uint32_t bounce, PathOrder order, const BounceObserver&
     } else {
         slots.assign(index_.begin(), index_.begin() + active_);
     }
-    observe({bounce, rays_.view(), hits_.view(), slots});
+    observe({bounce, rays_.view(), hits_.view(), slots, exclude_});
 }
 
 }  // namespace ctpbench

@@ -25,10 +25,12 @@ public:
              const FrameSettings& settings);
 
     // Traces sample number `sample` of every pixel and blends it into the image, which holds the samples
-    // before it. `carry_t`: as in Intersector. The observer may be empty.
+    // before it. `carry_t`: as in Intersector. The observer may be empty. A shader that excludes takes an
+    // intersector that does.
     std::vector<StageTime> frame(const Intersector& intersector, const Shader& shader, bool carry_t,
                                  std::uint32_t sample, ImageStorage& image, const BounceObserver& observe);
 
+    const FrameSettings& settings() const { return settings_; }
     std::uint32_t pixels() const { return settings_.width * settings_.height; }
 
 private:
@@ -52,6 +54,8 @@ private:
     HitStorage hits_;
     PixelStorage pixels_;
     Array<std::uint32_t> index_, reordered_;  // slots of active paths; scratch for the stage that reorders
+    Array<std::uint32_t> excluded_;           // by slot; empty until a shader needs it
+    std::uint32_t* exclude_ = nullptr;        // the same during a frame whose shader needs it, else null
     Array<std::uint32_t> copied_;       // what the yardstick copies, and to where; touched by nobody else
     Array<std::uint8_t> keys_, fates_;  // by position in the index
     Array<std::uint32_t> positions_;    // 0, 1, 2, ...: what is sorted where the index stays
@@ -68,19 +72,20 @@ private:
     std::vector<StageTime> times_;
 };
 
-// A contender's pipeline on CPU threads. Renderer and intersector must outlive it.
+// A contender's pipeline on CPU threads. The intersector must outlive it.
 class CpuPipeline final : public FramePipeline {
 public:
-    CpuPipeline(Renderer& renderer, const Intersector& intersector, std::unique_ptr<Shader> shader)
-        : renderer_(renderer), intersector_(intersector), shader_(std::move(shader)) {}
+    CpuPipeline(std::shared_ptr<Renderer> renderer, const Intersector& intersector,
+                std::unique_ptr<Shader> shader)
+        : renderer_(std::move(renderer)), intersector_(intersector), shader_(std::move(shader)) {}
 
     std::vector<StageTime> frame(bool carry_t, std::uint32_t sample, ImageStorage& image,
                                  const BounceObserver& observe) override {
-        return renderer_.frame(intersector_, *shader_, carry_t, sample, image, observe);
+        return renderer_->frame(intersector_, *shader_, carry_t, sample, image, observe);
     }
 
 private:
-    Renderer& renderer_;
+    std::shared_ptr<Renderer> renderer_;
     const Intersector& intersector_;
     std::unique_ptr<Shader> shader_;
 };

@@ -9,6 +9,7 @@
 
 #include "backends/cpu.h"
 #include "kernels/dispatch/shade/layout.h"
+#include "kernels/methods/offset_waechter_binder.h"
 
 namespace ctpbench {
 
@@ -16,13 +17,16 @@ class Shader {
 public:
     virtual ~Shader() = default;
     virtual PathOrder order() const = 0;
+    // Whether it writes ShadeBuffers::excluded, which the intersector must then heed.
+    virtual bool excludes() const { return false; }
     virtual void shade(CpuBackend& backend, const ShadeBuffers& io, const ShadeWork& work) const = 0;
 };
 
 // The names of the registry, in its order.
 std::vector<std::string> shade_strategies();
 
-// The name must be registered.
-std::unique_ptr<Shader> make_shader(std::string_view strategy, const MaterialInput& materials);
+// `offset` is the name of one of offsets() (wavefront/methods.h). Both must be registered.
+std::unique_ptr<Shader> make_shader(std::string_view strategy, const MaterialInput& materials,
+                                    std::string_view offset = WaechterBinder::name);
 
 }  // namespace ctpbench

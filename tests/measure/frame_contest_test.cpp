@@ -40,8 +40,9 @@ protected:
     FrameContestTest()
         : scene_(test::soup(3000, 100, 6)),
           stage_(scene_, 2),
-          renderer_(stage_.backend, stage_.view, test::looking_from({0, 0, 2}, {0, 0, 1}),
-                    {64, 48, 2, 1, true}) {
+          renderer_(std::make_shared<Renderer>(stage_.backend, stage_.view,
+                                               test::looking_from({0, 0, 2}, {0, 0, 1}),
+                                               FrameSettings{64, 48, 2, 1, true})) {
         if (!embree_version().empty()) oracle_ = make_embree(scene_, EmbreeMode::robust, 2);
     }
     FrameContest contest() {
@@ -65,7 +66,7 @@ protected:
 
     Scene scene_;
     test::Stage stage_;
-    Renderer renderer_;
+    std::shared_ptr<Renderer> renderer_;
     std::unique_ptr<EmbreeIntersector> oracle_;
 };
 

@@ -10,7 +10,9 @@
 #include "support.h"
 #include "wavefront/cpu_tracer.h"
 #include "wavefront/cuda_workload.h"
+#include "wavefront/device_demand.h"
 #include "wavefront/frames.h"
+#include "wavefront/methods.h"
 #include "wavefront/motley.h"
 
 namespace ctpbench {
@@ -46,12 +48,13 @@ TEST_F(Cuda, HitsAreTheCpusBitForBit) {
         for (const float scale : {1.0f, 1e-6f, 1e6f}) {
             const Scene scene = test::soup(triangles, spheres, 17, scale, {0, 0, 3 * scale});
             test::Stage stage(scene, 2);
-            Batch batch = batch_of(scene, 20001);
+            std::vector<Batch> batches{batch_of(scene, 20001)};
+            Batch& batch = batches[0];
             const float extent = stage.view.geometry().extent;
             const std::uint64_t expected =
                 CpuTracer(stage.backend, *stage.intersector, extent).trace(batch, true).hash;
             const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
-            const auto workload = make_cuda_workload(stage.view, layout);
+            const auto workload = make_cuda_workload(stage.view, layout, batches);
             for (const StrategyInfo& strategy : intersect_strategies())
                 for (const bool carry_t : {true, false}) {
                     const auto tracer = workload->tracer(strategy.name, "watertight");
@@ -67,11 +70,12 @@ TEST_F(Cuda, HitsAreTheCpusBitForBit) {
 TEST_F(Cuda, YardstickAgreesAlmostEverywhere) {
     const Scene scene = test::soup(3000, 0, 17);
     test::Stage stage(scene, 2);
-    Batch batch = batch_of(scene, 20001);
+    std::vector<Batch> batches{batch_of(scene, 20001)};
+    Batch& batch = batches[0];
     CpuTracer cpu(stage.backend, *stage.intersector, stage.view.geometry().extent);
     cpu.trace(batch, true);
     const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
-    const auto workload = make_cuda_workload(stage.view, layout);
+    const auto workload = make_cuda_workload(stage.view, layout, batches);
     const auto tracer = workload->tracer(kCudaYardstick, "own");
     tracer->trace(batch, true);
     int different = 0;
@@ -86,7 +90,8 @@ TEST_F(Cuda, ImagesAreTheSameBitForBitAndTheCpusButForNoise) {
     const Scene scene = test::motley();
     test::Stage stage(scene, 2);
     const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
-    const auto workload = make_cuda_workload(stage.view, layout);
+    std::vector<Batch> none;
+    const auto workload = make_cuda_workload(stage.view, layout, none);
     constexpr std::uint32_t samples = 16;
     std::uint64_t expected = 0;
     std::vector<std::uint32_t> paths, dropped;
@@ -127,7 +132,8 @@ TEST_F(Cuda, BouncesShowWhatWasHit) {
     const Scene scene = test::motley();
     test::Stage stage(scene, 2);
     const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
-    const auto workload = make_cuda_workload(stage.view, layout);
+    std::vector<Batch> none;
+    const auto workload = make_cuda_workload(stage.view, layout, none);
     std::vector<std::uint64_t> expected;
     for (const char* shade : {"ctp", "sort", "queues"}) {
         std::vector<std::uint64_t> hashes;
@@ -148,6 +154,42 @@ TEST_F(Cuda, BouncesShowWhatWasHit) {
         EXPECT_EQ(hashes, expected) << shade;
         EXPECT_EQ(hashes.size(), 7u);
     }
+}
+
+// What is counted before a run is what the run then holds, with every contender in the workload.
+TEST_F(Cuda, MemoryIsWhatWasCounted) {
+    const Scene scene = test::motley();
+    test::Stage stage(scene, 2);
+    std::vector<Batch> batches{batch_of(scene, 20001), batch_of(scene, 777)};
+    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
+    DeviceDemand demand;
+    const auto workload = make_cuda_workload(stage.view, layout, batches);
+    const auto same = [&](const std::string& after) {
+        EXPECT_EQ(workload->bytes(), bytes_demanded(demand, stage.view, layout, batches)) << after;
+    };
+    same("batches");
+    const auto trace = [&](const std::string& strategy, const std::string& methods) {
+        const auto tracer = workload->tracer(strategy, methods);
+        for (Batch& batch : batches) tracer->trace(batch, true);
+        demand.intersectors.insert({strategy, methods});
+        same(strategy + " " + methods);
+    };
+    for (const StrategyInfo& s : intersect_strategies())
+        for (const MethodsInfo& m : method_bundles()) trace(s.name, m.name), trace(s.name, m.name);
+    trace(kCudaYardstick, "own");
+    demand.frames = kSettings;
+    ImageStorage image;
+    std::vector<std::unique_ptr<FramePipeline>> pipelines;
+    for (const std::string& shade : shade_strategies()) {
+        pipelines.push_back(workload->pipeline("ctp", "watertight", shade, CudaLaunch::graph,
+                                               test::kMotleyCamera, kSettings));
+        pipelines.back()->frame(true, 0, image, {});
+        demand.shaders.push_back(shade);
+        same("shade " + shade);
+    }
+    const CudaMemory memory = cuda_memory();
+    EXPECT_GT(memory.free, memory.beside) << "this small scene leaves room";
+    EXPECT_GT(memory.total, memory.free + workload->bytes());
 }
 
 }  // namespace

@@ -13,12 +13,13 @@ namespace ctpbench::test {
 
 // The scene must outlive it.
 struct Stage {
-    Stage(const Scene& scene, int threads, const std::string& strategy = "ctp")
+    Stage(const Scene& scene, int threads, const std::string& strategy = "ctp",
+          const std::string& methods = Watertight::name)
         : view(scene),
           backend(threads),
           forest(build_forest(backend, scene, {TreeKind::mixed, TreeKind::typed_leaves, TreeKind::per_type},
                               SbvhSettings::quality(), nullptr, [](const std::string&, double) {})),
-          intersector(make_intersector(strategy, "watertight", forest.layout_input(view.geometry()))) {}
+          intersector(make_intersector(strategy, methods, forest.layout_input(view.geometry()))) {}
 
     SceneView view;
     CpuBackend backend;
@@ -33,9 +34,9 @@ struct Frames {
 
 inline Frames render(Stage& stage, const Camera& camera, const FrameSettings& settings,
                      std::uint32_t samples = 1, const std::string& shade = "ctp",
-                     const BounceObserver& observe = {}) {
+                     const BounceObserver& observe = {}, const std::string& offset = WaechterBinder::name) {
     Frames frames;
-    const auto shader = make_shader(shade, stage.view.materials());
+    const auto shader = make_shader(shade, stage.view.materials(), offset);
     Renderer renderer(stage.backend, stage.view, camera, settings);
     for (std::uint32_t s = 0; s < samples; ++s) {
         const auto stages = renderer.frame(*stage.intersector, *shader, true, s, frames.image, observe);

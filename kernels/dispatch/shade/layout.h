@@ -47,10 +47,10 @@ struct ShadeWork {
 };
 
 // For strategies that look their material up in a table, whatever its type.
-template <class Table, class ForEach>
+template <class Offset, class Table, class ForEach>
 void shade_in_one_kernel(const Table& table, const ShadeBuffers& io, const ShadeWork& work,
                          ForEach&& for_each) {
-    for_each(work.count, ShadeAnyKernel<Table>{table, io});
+    for_each(work.count, ShadeAnyKernel<Table, Offset>{table, io});
 }
 
 }  // namespace ctpbench

@@ -14,6 +14,7 @@ struct ShadeQueues {
     using Layout = TypedMaterialArrays;
     using View = TypedMaterialArrays::View;
 
+    template <class Offset>
     struct Kernel {
         View materials;
         ShadeBuffers io;
@@ -28,7 +29,7 @@ struct ShadeQueues {
                 const std::uint32_t* slots = queues.segment(material_type<T>, segment);
                 const std::uint32_t count = queues.counts[segment].of[material_type<T>];
                 for (std::uint32_t i = 0; i < count; ++i) {
-                    const PathFate fate = materials.template of<T>().shade(io, slots[i]);
+                    const PathFate fate = materials.template of<T>().template shade<Offset>(io, slots[i]);
                     kept[n] = slots[i];
                     n += goes_on(static_cast<std::uint8_t>(fate));
                     dropped += fate == PathFate::dropped;
@@ -41,10 +42,12 @@ struct ShadeQueues {
         }
     };
 
-    template <class ForEach>
+    template <class Offset, class ForEach>
     static void shade(const View& view, const ShadeBuffers& io, const ShadeWork& work, ForEach&& for_each) {
-        for_each(work.segments,
-                 Kernel{view, io, work.queues, work.survivors, work.survivor_counts, work.dropped_counts}, 1);
+        for_each(
+            work.segments,
+            Kernel<Offset>{view, io, work.queues, work.survivors, work.survivor_counts, work.dropped_counts},
+            1);
     }
 };
 

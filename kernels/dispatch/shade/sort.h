@@ -32,13 +32,13 @@ struct SortedShading {
         }
     };
 
-    template <class T>
+    template <class T, class Offset>
     struct Kernel {
         TypedMaterials<T> materials;
         Range range;
 
         CTP_HD void operator()(std::uint32_t i) const {
-            range.end(i, materials.shade(range.io, range.slot(i)));
+            range.end(i, materials.template shade<Offset>(range.io, range.slot(i)));
         }
     };
 
@@ -48,7 +48,7 @@ struct SortedShading {
         CTP_HD void operator()(std::uint32_t i) const { range.end(i, shade_miss(range.io, range.slot(i))); }
     };
 
-    template <class ForEach>
+    template <class Offset, class ForEach>
     static void shade(const View& view, const ShadeBuffers& io, const ShadeWork& work, ForEach&& for_each) {
         const auto launch = [&](std::uint32_t key, const auto& make) {
             const std::uint32_t first = work.key_offsets[key], count = work.key_offsets[key + 1] - first;
@@ -57,7 +57,7 @@ struct SortedShading {
         for_each_type(Materials{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
             launch(material_type<T>, [&](const Range& range) {
-                return Kernel<T>{view.template of<T>(), range};
+                return Kernel<T, Offset>{view.template of<T>(), range};
             });
         });
         launch(kMissKey, [](const Range& range) { return MissKernel{range}; });

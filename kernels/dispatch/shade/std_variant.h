@@ -20,9 +20,9 @@ struct ShadeStdVariant {
     };
     using Layout = SumTypeMaterials<Element, Visit>;
 
-    template <class View, class ForEach>
+    template <class Offset, class View, class ForEach>
     static void shade(const View& view, const ShadeBuffers& io, const ShadeWork& work, ForEach&& for_each) {
-        shade_in_one_kernel(view, io, work, for_each);
+        shade_in_one_kernel<Offset>(view, io, work, for_each);
     }
 };
 

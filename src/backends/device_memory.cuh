@@ -1,4 +1,4 @@
-// An array in a device's memory, with one owner.
+// Memory of a device, with one owner. All of it is allocated here, through a DevicePlace.
 #pragma once
 
 #include <cstddef>
@@ -40,36 +40,6 @@ public:
 private:
     void* data_ = nullptr;
     std::size_t bytes_ = 0;
-};
-
-template <class T>
-class DeviceArray {
-public:
-    DeviceArray() = default;
-    explicit DeviceArray(std::size_t n) : memory_(n * sizeof(T)), size_(n) {}
-    DeviceArray(const T* host, std::size_t n) : DeviceArray(n) { upload(host); }
-
-    T* data() const { return static_cast<T*>(memory_.data()); }
-    std::size_t size() const { return size_; }
-    std::size_t bytes() const { return memory_.bytes(); }
-
-    void upload(const T* host) {
-        if (size_ > 0)
-            check_cuda(cudaMemcpy(data(), host, bytes(), cudaMemcpyHostToDevice), "copying to the device");
-    }
-    // The first n.
-    void download(T* host, std::size_t n) const {
-        if (n > 0)
-            check_cuda(cudaMemcpy(host, data(), n * sizeof(T), cudaMemcpyDeviceToHost),
-                       "copying from the device");
-    }
-    void clear() {
-        if (size_ > 0) check_cuda(cudaMemset(data(), 0, bytes()), "clearing device memory");
-    }
-
-private:
-    DeviceMemory memory_;
-    std::size_t size_ = 0;
 };
 
 }  // namespace ctpbench

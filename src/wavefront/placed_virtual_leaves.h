@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "kernels/dispatch/oop.h"
-#include "wavefront/device_objects.cuh"
+#include "wavefront/placed_objects.h"
 
 namespace ctpbench {
 
 enum class ObjectOrder { scene, leaves };
 
-// elements[i] is the base-class pointer of what leaf entry i names. It is made on the device, which alone
-// knows where in an object its base class lies.
+// elements[i] is the base-class pointer of what leaf entry i names.
 template <class Base, class Object>
 struct PointToObjects {
     const Base** elements;
@@ -22,18 +21,18 @@ struct PointToObjects {
     std::uint32_t type;
     const Object* objects;
 
-    __device__ void operator()(std::uint32_t i) const {
+    CTP_HD void operator()(std::uint32_t i) const {
         if (places[i].type == type) elements[i] = objects + places[i].index;
     }
 };
 
-template <class Methods>
-VirtualLeaves<Methods> virtual_leaves(const LayoutInput& in, const DevicePlace& place, ObjectOrder order) {
+template <class Methods, class Place>
+VirtualLeaves<Methods> virtual_leaves(const LayoutInput& in, const Place& place, ObjectOrder order) {
     using Base = PrimitiveBase<Methods>;
     constexpr auto unplaced = std::numeric_limits<std::uint32_t>::max();
     const auto entries = static_cast<std::uint32_t>(in.mixed.ref_count);
     std::vector<PrimitiveRef> places(in.mixed.refs, in.mixed.refs + entries);
-    auto* elements = static_cast<const Base**>(place.reserve(entries * sizeof(const Base*)));
+    const Base** elements = place.template reserve<const Base*>(entries);
     for_each_type(Primitives<Methods>{}, [&](auto tag) {
         using T = typename decltype(tag)::type;
         using Object = PrimitiveObject<Methods, T>;
@@ -54,12 +53,10 @@ VirtualLeaves<Methods> virtual_leaves(const LayoutInput& in, const DevicePlace& 
                 p.index = at[p.index];
             }
         }
-        const Object* objects = construct_objects<Object>(place, values);
-        const DeviceArray<PrimitiveRef> on_device(places.data(), entries);
-        launch_for_each(nullptr, {entries},
-                        PointToObjects<Base, Object>{elements, on_device.data(), type, objects},
-                        "pointing leaves to objects");
-        check_cuda(cudaDeviceSynchronize(), "pointing leaves to objects");
+        const Object* objects = objects_in<Object>(place, values);
+        const auto lent = place.lend(places.data(), entries);
+        place.launch(entries, PointToObjects<Base, Object>{elements, lent.data(), type, objects},
+                     "pointing leaves to objects");
     });
     return {place(in.mixed.nodes, in.mixed.node_count), elements};
 }
