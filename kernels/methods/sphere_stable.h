@@ -17,14 +17,14 @@ struct StableSphere {
     };
     struct RaySetup {
         Ray ray;
-        float dd;  // squared length of the direction
-        float inv_dd;
+        float length;  // of the direction
+        float inv_dd;  // 1 / length^2
     };
 
     CTP_INLINE static Shape shape(const SphereShape& s) { return {s.center, s.radius}; }
     CTP_INLINE static RaySetup setup(const Ray& ray) {
         const float dd = dot(ray.direction, ray.direction);
-        return {ray, dd, 1.0f / dd};
+        return {ray, std::sqrt(dd), 1.0f / dd};
     }
 
     // A ray that starts inside hits the far side.
@@ -36,7 +36,8 @@ struct StableSphere {
         const float rr = s.radius * s.radius;
         const float discriminant = rr - dot(perpendicular, perpendicular);
         if (discriminant < 0.0f) return;
-        const float root = std::sqrt(setup.dd * discriminant);
+        // Not the root of length^2 times the discriminant: that underflows in small scenes.
+        const float root = setup.length * std::sqrt(discriminant);
         const float q = b < 0.0f ? b - root : b + root;
         const float t0 = (dot(f, f) - rr) / q;
         const float t1 = q * setup.inv_dd;

@@ -16,7 +16,7 @@ public:
     // `oracle` may be null: then there is nobody to ask. At most about `sample` rays of a batch are judged.
     HitJudge(CpuBackend& backend, const GeometryView& geometry, const Intersector* oracle,
              std::uint32_t sample)
-        : backend_(backend), geometry_(geometry), oracle_(oracle), sample_(sample) {}
+        : backend_(backend), judge_(geometry), oracle_(oracle), sample_(sample) {}
 
     bool can_judge() const { return oracle_ != nullptr; }
 
@@ -27,7 +27,7 @@ public:
 
 private:
     CpuBackend& backend_;
-    GeometryView geometry_;
+    Judge judge_;
     const Intersector* oracle_;
     std::uint32_t sample_;
     std::map<std::size_t, HitStorage> oracle_hits_;

@@ -1,6 +1,8 @@
 #include "measure/statistics.h"
 
 #include <algorithm>
+#include <limits>
+#include <cmath>
 #include <random>
 
 namespace ctpbench {
@@ -36,6 +38,29 @@ Estimate estimate_paired_ratio(const std::vector<double>& a, const std::vector<d
     std::vector<double> ratios(a.size());
     for (std::size_t i = 0; i < a.size(); ++i) ratios[i] = a[i] / b[i];
     return estimate_median(ratios);
+}
+
+Interval binomial_interval(std::size_t count, std::size_t trials) {
+    const double n = static_cast<double>(trials), p = static_cast<double>(count) / n;
+    constexpr double z = 1.959963984540054;
+    const double center = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
+    const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
+    const double rule_of_three = std::min(1.0, 3.0 / n);
+    return {count == 0        ? 0.0
+            : count == trials ? 1.0 - rule_of_three
+                              : center - half,
+            count == trials ? 1.0
+            : count == 0    ? rule_of_three
+                            : center + half};
+}
+
+double nearest_rank(std::vector<float> values, double share) {
+    std::erase_if(values, [](float v) { return std::isnan(v); });
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const double n = static_cast<double>(values.size());
+    const auto rank = static_cast<std::size_t>(std::clamp(std::ceil(share * n), 1.0, n)) - 1;
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
+    return values[rank];
 }
 
 }  // namespace ctpbench

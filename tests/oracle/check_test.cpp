@@ -26,7 +26,7 @@ struct Fixture {
     Verdict verdict(Vec3 origin, Hit ours, Hit theirs) const {
         const SceneView view(scene);
         Verdict v;
-        judge_ray({origin, {0, 0, 1}, kInfinity}, ours, theirs, view.geometry(), v);
+        Judge(view.geometry()).ray({origin, {0, 0, 1}, kInfinity}, ours, theirs, v);
         EXPECT_EQ(v.rays, 1u);
         return v;
     }
