@@ -9,8 +9,10 @@
 
 #include "backends/cuda.h"
 #include "contests.h"
+#include "convergence.h"
 #include "oracle/embree.h"
 #include "report/console.h"
+#include "report/convergence.h"
 #include "report/figures.h"
 #include "report/frame_tables.h"
 #include "report/image.h"
@@ -97,6 +99,10 @@ private:
     void write_tables() {
         write_file(folder_ / "trees.csv", trees_csv(results_));
         if (config_.measure) write_file(folder_ / "summary.csv", summary_csv(config_, results_));
+        if (config_.study == Study::convergence) {
+            write_file(folder_ / "convergence.csv", convergence_csv(config_, results_));
+            write_file(folder_ / "convergence_fits.csv", convergence_fits_csv(config_, results_));
+        }
         for (const std::string& table : config_.tables) {
             if (table == "table2") write_file(folder_ / "table2.csv", table2_csv(results_));
             if (table == "table3") {
@@ -194,7 +200,11 @@ private:
         if (!intersecting.empty()) record_frame(context_, input);
         input.cuda = cuda_workload(context_, input, layout, cells.contenders);
         if (!intersecting.empty()) run_intersect_contest(context_, input, intersecting);
-        if (!rendering.empty()) run_frame_contest(context_, input, rendering);
+        if (rendering.empty()) return;
+        if (config_.study == Study::convergence)
+            run_convergence(context_, input, rendering);
+        else
+            run_frame_contest(context_, input, rendering);
     }
 
     const Config& config_;
@@ -228,11 +238,13 @@ KnownNames known_names() {
         return methods_obstacle(c.strategy, c.methods, c.triangle_test, c.sphere_test, c.box_test, c.offset);
     };
     names.traversals = {"single"};
-    names.studies = {"speed"};
+    names.studies = {"speed", "stability", "convergence"};
     return names;
 }
 
 ExitCode run_experiment(const Config& config, const std::vector<Cell>& cells, const RunOptions& options) {
+    if (config.study == Study::stability)
+        throw Error(ExitCode::usage, "/study: error: this program has no study of stability");
     const bool on_cuda = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
         return cell.contender && cell.contender->backend == "cuda";
     });

@@ -10,6 +10,7 @@
 
 #include "config/cells.h"
 #include "measure/exam.h"
+#include "measure/interval.h"
 
 namespace ctpbench {
 
@@ -39,6 +40,12 @@ struct KernelSeries {
     std::vector<double> seconds;  // of the frame
 };
 
+// How the error of a contender's pictures falls. By seed, then by k: after 2^k samples per pixel.
+struct Convergence {
+    std::vector<std::vector<double>> seconds, relmse;
+    Interval bias;  // squared and relative, as relMSE is: what remains of it after any number of samples
+};
+
 // One contender on one workload.
 struct CellResult {
     Workload workload;
@@ -54,6 +61,7 @@ struct CellResult {
     std::uint64_t image_hash = 0;                        // of a frame contest, after the last whole round
     std::uint32_t samples = 0;                           // per pixel in that image
     std::uint64_t shaded = 0, dropped = 0, clamped = 0;  // over all rounds
+    Convergence convergence{};                           // of that study alone
 
     double dropped_per_million() const {
         return shaded == 0 ? 0.0 : 1e6 * static_cast<double>(dropped) / static_cast<double>(shaded);

@@ -27,7 +27,7 @@ StressBed::StressBed(CpuBackend& backend, StressWorkload workload)
       exact_(judge_, *forest_.mixed) {}
 
 CudaWorkload& StressBed::cuda() {
-    if (!cuda_) cuda_ = make_cuda_workload(view_, layout_);
+    if (!cuda_) cuda_ = make_cuda_workload(view_, layout_, batches_);
     return *cuda_;
 }
 

@@ -34,6 +34,7 @@ private:
     LayoutInput layout_;
     Judge judge_;
     ExactTracer exact_;
+    std::vector<Batch> batches_;
     std::unique_ptr<CudaWorkload> cuda_;
 };
 
