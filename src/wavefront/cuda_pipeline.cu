@@ -43,6 +43,9 @@ CudaPipeline::CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr
                            settings.height)),
       settings_(settings),
       ambient_(scene.ambient()) {
+    if (shader_->excludes() && !intersector_.excludes()) trap();  // every hit would be suspect
+    if (shader_->excludes() && wavefront_.excluded.size() == 0)
+        wavefront_.excluded = DeviceArray<std::uint32_t>(wavefront_.pixels);
     for (std::uint32_t k = 0; k < shader_->kernels(); ++k)
         if (const char* name = shader_->kernel_name(k)) part_names_[k] = std::string("shade_") + name;
 }
@@ -114,7 +117,7 @@ void CudaPipeline::generate(std::uint32_t sample) {
     clock_.time("generate", 0, stream_.get(), [&] {
         launch_for_each(stream_.get(), {w.pixels},
                         GenerateKernel{camera_, settings_.width, settings_.height, settings_.seed, sample,
-                                       w.rays.view(), w.paths.view(), w.index[0].data()},
+                                       w.rays.view(), w.paths.view(), w.index[0].data(), excluded()},
                         "generate");
     });
 }
@@ -123,6 +126,7 @@ void CudaPipeline::intersect(std::uint32_t bounce, bool carry_t) {
     DeviceWavefront& w = wavefront_;
     IntersectBuffers io{w.rays.view(), w.hits.view(), w.index[current_].data(), w.pixels, w.geometry.extent};
     io.keys.words = w.words;
+    io.excluded = excluded();
     if (sorts()) io.keys.keys = w.keys.data();
     if (shader_->order() == PathOrder::queued)
         io.keys.queues = {w.queue_slots.data(), &counts(bounce)->queues, w.pixels};
@@ -165,7 +169,9 @@ void CudaPipeline::shade(std::uint32_t bounce, std::uint32_t sample) {
                           settings_.seed,
                           sample,
                           bounce,
-                          ambient_};
+                          ambient_,
+                          settings_.roulette_from,
+                          excluded()};
     const DeviceShadeWork work{w.pixels,
                                &counts(bounce)->active,
                                counts(bounce)->sorted,
@@ -221,7 +227,9 @@ void CudaPipeline::show(std::uint32_t bounce, const BounceObserver& observe) {
     rays.resize(w.pixels), hits.resize(w.pixels);
     copy_columns(rays.view(), w.rays.view(), w.pixels);
     copy_columns(hits.view(), w.hits.view(), w.pixels);
-    observe({bounce, rays.view(), hits.view(), slots});
+    std::vector<std::uint32_t> excluded_ids(excluded() != nullptr ? w.pixels : 0);
+    if (excluded() != nullptr) w.excluded.download(excluded_ids.data(), w.pixels);
+    observe({bounce, rays.view(), hits.view(), slots, excluded() != nullptr ? excluded_ids.data() : nullptr});
 }
 
 std::vector<StageTime> CudaPipeline::stage_times() const {

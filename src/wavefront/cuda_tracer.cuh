@@ -17,7 +17,8 @@ public:
     Traced trace(Batch& batch, bool carry_t) override {
         DeviceBatches::Entry& entry = batches_.get(batch);
         const auto n = static_cast<std::uint32_t>(batch.rays.size());
-        const IntersectBuffers io{entry.rays.view(), batches_.hits(), entry.index.data(), n, extent_};
+        IntersectBuffers io{entry.rays.view(), batches_.hits(), entry.index.data(), n, extent_};
+        if (entry.excluded.size() > 0) io.excluded = entry.excluded.data();
         begin_.record(stream_.get());
         intersector_.intersect(stream_.get(), io, {n}, carry_t);
         end_.record(stream_.get());

@@ -18,10 +18,11 @@ public:
     }
     std::unique_ptr<FramePipeline> pipeline(const std::string& strategy, const std::string& methods,
                                             const std::string& shade, CudaLaunch launch, const Camera& camera,
-                                            const FrameSettings& settings) override {
+                                            const FrameSettings& settings,
+                                            const std::string& offset) override {
         if (!wavefront_) wavefront_ = std::make_unique<DeviceWavefront>(scene_, settings);
         return std::make_unique<CudaPipeline>(intersector(strategy, methods),
-                                              make_device_shader(shade, scene_.materials()), launch,
+                                              make_device_shader(shade, scene_.materials(), offset), launch,
                                               *wavefront_, scene_, camera, settings);
     }
 

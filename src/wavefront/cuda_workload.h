@@ -5,6 +5,7 @@
 #include <string>
 
 #include "kernels/dispatch/layout.h"
+#include "kernels/methods/offset_waechter_binder.h"
 #include "wavefront/batch_tracer.h"
 #include "wavefront/frame.h"
 #include "wavefront/scene_view.h"
@@ -28,10 +29,12 @@ public:
     virtual ~CudaWorkload() = default;
     // Names must be registered. What differs only in how it is launched shares its layout.
     virtual std::unique_ptr<BatchTracer> tracer(const std::string& strategy, const std::string& methods) = 0;
-    // All pipelines of a workload have the same settings.
+    // All pipelines of a workload have the same image size and number of bounces. `offset`: as in
+    // make_shader().
     virtual std::unique_ptr<FramePipeline> pipeline(const std::string& strategy, const std::string& methods,
                                                     const std::string& shade, CudaLaunch launch,
-                                                    const Camera& camera, const FrameSettings& settings) = 0;
+                                                    const Camera& camera, const FrameSettings& settings,
+                                                    const std::string& offset = WaechterBinder::name) = 0;
 };
 
 // All of these must outlive it. The device is that which use_cuda_device() has chosen.

@@ -30,6 +30,7 @@ public:
     struct Entry {
         DeviceRays rays;
         DeviceArray<std::uint32_t> index;
+        DeviceArray<std::uint32_t> excluded;  // empty if the batch has none
         DeviceHits first_hits;
         std::uint64_t first_hash = 0;  // 0: there are none yet
     };
@@ -42,6 +43,8 @@ public:
             entry = std::make_unique<Entry>();
             entry->rays = DeviceRays(n), entry->first_hits = DeviceHits(n);
             entry->index = DeviceArray<std::uint32_t>(batch.index.data(), n);
+            if (!batch.excluded.empty())
+                entry->excluded = DeviceArray<std::uint32_t>(batch.excluded.data(), n);
             copy_columns(entry->rays.view(), batch.rays.view(), n);
             if (hits_.size() < n) hits_ = DeviceHits(n);
         }

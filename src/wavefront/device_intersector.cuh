@@ -15,10 +15,12 @@ public:
     // As Intersector::intersect(), of `count` active rays; all pointers are the device's.
     virtual void intersect(cudaStream_t stream, const IntersectBuffers& io, DeviceCount count,
                            bool carry_t) const = 0;
+    // Whether it heeds IntersectBuffers::excluded.
+    virtual bool excludes() const = 0;
     virtual std::size_t bytes() const = 0;
 };
 
-// The names must be registered, or be the yardstick's.
+// As make_intersector(); or the yardstick, whatever the methods.
 std::unique_ptr<DeviceIntersector> make_device_intersector(std::string_view strategy,
                                                            std::string_view methods,
                                                            const LayoutInput& input);

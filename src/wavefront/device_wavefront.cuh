@@ -69,6 +69,7 @@ struct DeviceWavefront {
     DeviceImage image;
     DeviceArray<std::uint32_t> index[2];             // in turn
     DeviceArray<std::uint32_t> identity, positions;  // 0, 1, 2, ..., and the same sorted by key
+    DeviceArray<std::uint32_t> excluded;             // by slot; empty until a pipeline needs it
     DeviceArray<std::uint32_t> copied;               // what the yardstick copies, and to where
     DeviceArray<std::uint8_t> keys, fates;
     DeviceArray<std::uint32_t> queue_slots;

@@ -1,0 +1,8 @@
+#include "wavefront/device_shade_strategy.cuh"
+
+namespace ctpbench {
+
+template std::unique_ptr<DeviceShader> make_on_device_with_offset<ExcludeId>(std::string_view,
+                                                                             const MaterialInput&);
+
+}  // namespace ctpbench
