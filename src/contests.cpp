@@ -10,6 +10,7 @@
 #include "report/image.h"
 #include "scene_exam.h"
 #include "wavefront/device_demand.h"
+#include "wavefront/methods.h"
 
 namespace ctpbench {
 namespace {
@@ -82,6 +83,7 @@ std::unique_ptr<CudaWorkload> cuda_workload(const RunContext& run, ContestInput&
         if (!c.renders()) continue;
         demand.shaders.push_back(c.shade);
         demand.frames = frame_settings(run.config, c);
+        demand.excludes |= offset_of(c.methods, c.offset) == ExcludeId::name;
     }
     if (demand.intersectors.empty()) return nullptr;
     run.progress.step("counting what the device will hold", kFrame);
