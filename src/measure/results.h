@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config/cells.h"
-#include "measure/interval.h"
+#include "measure/bounded_value.h"
 #include "oracle/check.h"
 
 namespace ctpbench {
@@ -42,7 +42,7 @@ struct KernelSeries {
 // How the error of a contender's pictures falls. By seed, then by k: after 2^k samples per pixel.
 struct Convergence {
     std::vector<std::vector<double>> seconds, relmse;
-    Interval bias;  // squared and relative, as relMSE is: what remains of it after any number of samples
+    BoundedValue bias;  // squared and relative, as relMSE is: what remains of it after any number of samples
 };
 
 // One contender on one workload.
