@@ -27,8 +27,8 @@ struct Hit {
     float u, v;
 
     // A candidate wins if it is nearer, or as near with a lower id. This is what makes hits independent
-    // of the order in which a tree visits its leaves. An infinite t is an overflow and no hit, although it is not
-    // beyond an infinite tmax.
+    // of the order in which a tree visits its leaves. An infinite t is an overflow and no hit, although it is
+    // not beyond an infinite tmax.
     CTP_INLINE bool accepts(float candidate_t, std::uint32_t candidate) const {
         return candidate_t > 0.0f &&
                (candidate_t < t || (candidate_t == t && candidate < primitive &&

@@ -17,6 +17,7 @@
 #include "report/frame_tables.h"
 #include "report/image.h"
 #include "report/meta.h"
+#include "report/pareto.h"
 #include "report/summary.h"
 #include "report/tables.h"
 #include "run_context.h"
@@ -29,6 +30,10 @@ namespace {
 
 // Shares of a workload's time, for the progress line.
 constexpr double kScene = 0.03, kTrees = 0.30;
+
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 std::string run_id_of(const Config& config) {
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -108,6 +113,7 @@ private:
                 write_file(folder_ / "table1.csv", table1_csv(results_));
                 write_file(folder_ / "table1.md", table1_markdown(results_));
             }
+            if (table == "pareto") write_file(folder_ / "pareto.csv", pareto_csv(config_, results_));
             if (table == "figure4") write_file(folder_ / "figure4.csv", figure4_csv(config_, results_));
         }
     }
@@ -139,6 +145,7 @@ private:
         const bool intersects = std::any_of(cells.contenders.begin(), cells.contenders.end(),
                                             [](const Contender& c) { return !c.renders(); });
         if (intersects) need(config_.reference);
+        if (is_among(config_.tables, "pareto")) kinds.insert(TreeKind::mixed);  // the exam's
         if (!config_.measure) kinds = {TreeKind::mixed, TreeKind::per_type};
 
         SbvhSettings settings;
@@ -189,7 +196,8 @@ private:
         std::vector<Contender> intersecting, rendering;
         for (const Contender& c : cells.contenders) (c.renders() ? rendering : intersecting).push_back(c);
         ContestInput input{cells.workload, scene, view, lineup, oracle, in_results};
-        if (!intersecting.empty()) input.batches = record_frame(context_, input);
+        if (is_among(config_.tables, "pareto")) input.examined = forest.mixed.get();
+        if (!intersecting.empty()) record_frame(context_, input);
         input.cuda = cuda_workload(context_, input, layout, cells.contenders);
         if (!intersecting.empty()) run_intersect_contest(context_, input, intersecting);
         if (rendering.empty()) return;

@@ -19,7 +19,8 @@ template <class Each>
 void in_slices(CpuBackend& backend, std::uint32_t n, const SafePoint& safe_point, const Each& each) {
     for (std::uint32_t first = 0; first < n; first += kSlice) {
         safe_point();
-        backend.for_each(std::min(kSlice, n - first), [&, first](std::uint32_t i) { each(first + i); }, 256);
+        backend.for_each(
+            std::min(kSlice, n - first), [&, first](std::uint32_t i) { each(first + i); }, 256);
     }
 }
 
@@ -73,8 +74,7 @@ Accuracy RayExam::take(BatchTracer& tracer) {
     std::vector<float> errors(n);
     Accuracy accuracy;
     accuracy.verdict = judged(backend_, n, [&](std::uint32_t i, Verdict& verdict) {
-        errors[i] =
-            static_cast<float>(judge_.ray(rays.load(i), hits.load(i), reference.load(i), verdict));
+        errors[i] = static_cast<float>(judge_.ray(rays.load(i), hits.load(i), reference.load(i), verdict));
     });
     accuracy.p99_scaled_error = nearest_rank(std::move(errors), 0.99);
     return accuracy;

@@ -1,5 +1,5 @@
-// What a tracer answers to given rays, counted against the oracle of last resort: the reference is found once,
-// then any number of tracers are judged by it.
+// What a tracer answers to given rays, counted against the oracle of last resort: the reference is found
+// once, then any number of tracers are judged by it.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,8 @@ private:
     HitStorage reference_;
 };
 
-// Paths that leave surfaces: their rays are formed by a policy of offsets, the truth is that of the ideal path.
+// Paths that leave surfaces: their rays are formed by a policy of offsets, the truth is that of the ideal
+// path.
 class DepartureExam {
 public:
     // Forms a policy's ray.
@@ -53,9 +54,9 @@ public:
     DepartureExam(CpuBackend& backend, const Judge& judge, const ExactTracer& exact,
                   const StressWorkload& workload, std::uint32_t n, const SafePoint& safe_point);
 
-    // A self-hit, where the ideal path hits nothing or far later, is a false hit; nothing where it hits something
-    // is missed; another surface than the ideal path's is a wrong primitive. The error of t is not judged: an
-    // offset moves every hit.
+    // A self-hit, where the ideal path hits nothing or far later, is a false hit; nothing where it hits
+    // something is missed; another surface than the ideal path's is a wrong primitive. The error of t is not
+    // judged: an offset moves every hit.
     Accuracy take(BatchTracer& tracer, const Policy& policy);
 
     // The ids that paths start on, for tracers that leave them out.

@@ -6,7 +6,8 @@ Verdict HitJudge::judge_hits(std::size_t number, Batch& batch, HitStorage& hits,
     const auto known = verdicts_.find({number, hash});
     if (known != verdicts_.end()) return known->second;
     const auto [expected, added] = oracle_hits_.try_emplace(number);
-    if (added) oracle_->intersect(backend_, batch_buffers(batch, expected->second, judge_.geometry().extent), true);
+    if (added)
+        oracle_->intersect(backend_, batch_buffers(batch, expected->second, judge_.geometry().extent), true);
     const Verdict verdict = judge_.batch(batch, hits.view(), expected->second.view(), sample_);
     return verdicts_.emplace(std::pair{number, hash}, verdict).first->second;
 }

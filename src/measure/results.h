@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "config/cells.h"
 #include "measure/bounded_value.h"
-#include "oracle/check.h"
+#include "measure/exam.h"
 
 namespace ctpbench {
 
@@ -55,6 +56,7 @@ struct CellResult {
     bool valid = false;
     std::string reason;  // why it is not valid
     Verdict verdict;
+    std::optional<Accuracy> accuracy;                    // where failures are counted beside the speed
     std::vector<KernelSeries> kernels;                   // in the order of the pipeline
     std::uint64_t image_hash = 0;                        // of a frame contest, after the last whole round
     std::uint32_t samples = 0;                           // per pixel in that image

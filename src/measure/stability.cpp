@@ -12,8 +12,8 @@ namespace {
 constexpr double kTrees = 0.05, kReference = 0.4;
 
 Forest trees_of(CpuBackend& backend, const Scene& scene) {
-    return build_forest(backend, scene, {TreeKind::mixed, TreeKind::per_type}, SbvhSettings::quality(), nullptr,
-                        [](const std::string&, double) {});
+    return build_forest(backend, scene, {TreeKind::mixed, TreeKind::per_type}, SbvhSettings::quality(),
+                        nullptr, [](const std::string&, double) {});
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ StressBed::StressBed(CpuBackend& backend, StressWorkload workload)
       exact_(judge_, *forest_.mixed) {}
 
 CudaWorkload& StressBed::cuda() {
-    if (!cuda_) cuda_ = make_cuda_workload(view_, layout_);
+    if (!cuda_) cuda_ = make_cuda_workload(view_, layout_, batches_);
     return *cuda_;
 }
 

@@ -34,6 +34,7 @@ private:
     LayoutInput layout_;
     Judge judge_;
     ExactTracer exact_;
+    std::vector<Batch> batches_;
     std::unique_ptr<CudaWorkload> cuda_;
 };
 
@@ -57,8 +58,8 @@ struct StabilityRow {
     Accuracy accuracy;
 };
 
-// Runs the methods that can meet the workload on its first `rays` rays, and hands out each row as soon as it is
-// there. `step` is told what is going on and the share of it that is done, and may throw to end it.
+// Runs the methods that can meet the workload on its first `rays` rays, and hands out each row as soon as it
+// is there. `step` is told what is going on and the share of it that is done, and may throw to end it.
 void run_stability(CpuBackend& backend, const StressInfo& info, std::uint64_t seed, std::uint32_t rays,
                    const std::vector<StabilityMethod>& methods,
                    const std::function<void(const std::string& what, double share)>& step,

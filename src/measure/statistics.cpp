@@ -1,8 +1,8 @@
 #include "measure/statistics.h"
 
 #include <algorithm>
-#include <limits>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace ctpbench {

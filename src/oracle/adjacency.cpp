@@ -29,7 +29,8 @@ MeshAdjacency::MeshAdjacency(const GeometryView& geometry) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const TriangleShape t = geometry.triangle(i);
         for (const Vec3& p : {t.a, t.b, t.c})
-            corners_.push_back(numbers.try_emplace(p, static_cast<std::uint32_t>(numbers.size())).first->second);
+            corners_.push_back(
+                numbers.try_emplace(p, static_cast<std::uint32_t>(numbers.size())).first->second);
     }
     first_.assign(numbers.size() + 1, 0);
     for (const std::uint32_t v : corners_) ++first_[v + 1];

@@ -1,5 +1,5 @@
-// Which triangles meet at a vertex. Vertices are the same if their positions are: meshes from files often hold
-// one several times, for the sake of normals or texture coordinates.
+// Which triangles meet at a vertex. Vertices are the same if their positions are: meshes from files often
+// hold one several times, for the sake of normals or texture coordinates.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ public:
     std::size_t vertices() const { return first_.size() - 1; }
 
 private:
-    std::vector<std::uint32_t> corners_;    // three for each triangle
-    std::vector<std::uint32_t> first_;      // of each vertex, in triangles_
+    std::vector<std::uint32_t> corners_;  // three for each triangle
+    std::vector<std::uint32_t> first_;    // of each vertex, in triangles_
     std::vector<std::uint32_t> triangles_;
 };
 

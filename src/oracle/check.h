@@ -1,5 +1,6 @@
 // Verdicts on hits: a contender's against a reference's, with float64 as the judge where they differ. The
-// reference is Embree in contests of speed, and the exact tracer (oracle/exact_tracer.h) in studies of accuracy.
+// reference is Embree in contests of speed, and the exact tracer (oracle/exact_tracer.h) in studies of
+// accuracy.
 #pragma once
 
 #include <cstddef>

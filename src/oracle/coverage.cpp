@@ -103,8 +103,7 @@ std::vector<SeenTriangle> joined_triangles(const GeometryView& geometry, const M
 
 bool surface_covers(const GeometryView& geometry, const MeshAdjacency& adjacency, std::uint32_t id,
                     double radius, const ExactRay& ray) {
-    const std::vector<SeenTriangle> joined =
-        joined_triangles(geometry, adjacency, id, radius, View(ray));
+    const std::vector<SeenTriangle> joined = joined_triangles(geometry, adjacency, id, radius, View(ray));
     const auto covered = [&](double x, double y) {
         return std::any_of(joined.begin(), joined.end(),
                            [&](const SeenTriangle& t) { return covers(t, x, y, radius); });

@@ -22,8 +22,8 @@ struct ExactRay {
 };
 
 struct ExactHit {
-    // Distance in scene units by which the ray's line passes inside the primitive's outline, as seen along the
-    // ray; negative outside.
+    // Distance in scene units by which the ray's line passes inside the primitive's outline, as seen along
+    // the ray; negative outside.
     double margin;
     double t;       // NaN if there is none; may be negative
     double unit;    // rounding of the coordinates involved: 2^-24 times the largest |coordinate - origin|
@@ -40,7 +40,8 @@ struct ExactHit {
     double t_nearest(float candidate) const;
     // Scaled error of a float32 program's t, at most kTolerance for a sound test:
     // |dt| |d| cos / (2^-24 M kappa), with M the largest |v - o| and kappa = L^2 / |e1 x e2| for the longest
-    // edge L; for a sphere M is |c - o| + r and kappa 1, cos at its outline as small as M's rounding makes it.
+    // edge L; for a sphere M is |c - o| + r and kappa 1, cos at its outline as small as M's rounding makes
+    // it.
     double t_error(float candidate) const;
 };
 

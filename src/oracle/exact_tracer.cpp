@@ -53,8 +53,8 @@ ExactTracer::ExactTracer(const Judge& judge, const Tree& tree) : judge_(judge), 
     for (const float b : tree.nodes[0].bounds) extent_ = std::max(extent_, std::fabs(double{b}));
 }
 
-// Calls test(id) for every primitive whose leaf the ray meets before `bound`, which the call may lower; for one
-// in several leaves more than once.
+// Calls test(id) for every primitive whose leaf the ray meets before `bound`, which the call may lower; for
+// one in several leaves more than once.
 template <class Test>
 void ExactTracer::for_each_met(const ExactRay& ray, const double& bound, const Test& test) const {
     if (tree_.nodes.empty()) return;

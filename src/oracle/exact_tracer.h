@@ -1,5 +1,5 @@
-// The oracle of last resort over whole scenes: closest hits by our tree, whose boxes are widened in float64 so
-// that nothing is left out that a float32 program may report, with exact_hit() at the leaves.
+// The oracle of last resort over whole scenes: closest hits by our tree, whose boxes are widened in float64
+// so that nothing is left out that a float32 program may report, with exact_hit() at the leaves.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,9 @@ namespace ctpbench {
 struct ExactClosest {
     std::uint32_t primitive = kNoPrimitive;  // the nearest that no program may miss
     double t = 0.0;
-    bool decided = false;  // hit beyond doubt; else passed at its outline, where the surface goes on all around:
-                           // a program may report any of the triangles there, but must report one of them
+    bool decided =
+        false;  // hit beyond doubt; else passed at its outline, where the surface goes on all around:
+                // a program may report any of the triangles there, but must report one of them
 };
 
 class ExactTracer {

@@ -1,5 +1,5 @@
-// Where stress rays start and what they are aimed at. The target is rounded to float32, and the direction is the
-// float32 difference to it, not normalised: t = 1 at the target.
+// Where stress rays start and what they are aimed at. The target is rounded to float32, and the direction is
+// the float32 difference to it, not normalised: t = 1 at the target.
 #pragma once
 
 #include <cmath>
@@ -50,12 +50,14 @@ inline Vec3 beside(Vec3 n, recipe::Random& random) {
 
 enum class Aim { edges, vertices, insides, all };  // all: one of the three, by lot
 
-// Of a triangle by lot: a + s (b - a) on an edge, a vertex, or a point inside, at least a twentieth from all edges.
+// Of a triangle by lot: a + s (b - a) on an edge, a vertex, or a point inside, at least a twentieth from all
+// edges.
 inline Vec3 target_on(const Mesh& mesh, Aim aim, recipe::Random& random) {
     const auto at = random.below(static_cast<std::uint32_t>(mesh.triangles.size()));
     const auto& t = mesh.triangles[at];
     const std::uint32_t k = random.below(3);
-    const Vec3 a = mesh.positions[t[k]], b = mesh.positions[t[(k + 1) % 3]], c = mesh.positions[t[(k + 2) % 3]];
+    const Vec3 a = mesh.positions[t[k]], b = mesh.positions[t[(k + 1) % 3]],
+               c = mesh.positions[t[(k + 2) % 3]];
     if (aim == Aim::all) {
         constexpr Aim each[] = {Aim::edges, Aim::vertices, Aim::insides};
         aim = each[random.below(3)];

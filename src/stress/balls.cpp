@@ -111,22 +111,30 @@ std::vector<StressInfo> ball_workloads() {
     const auto far = [&](const char* name, const char* provokes, float radii, Impact impact) {
         add(name, provokes, [=](std::uint64_t seed) { return from_distance(kUnit, radii, impact, seed); });
     };
-    far("sphere_at_1e2", "hits from 100 radii away, where the textbook's t has lost its last digits", 1e2f, kHits);
-    far("sphere_at_1e3", "hits from 1e3 radii away, some of which the textbook's discriminant loses", 1e3f, kHits);
+    far("sphere_at_1e2", "hits from 100 radii away, where the textbook's t has lost its last digits", 1e2f,
+        kHits);
+    far("sphere_at_1e3", "hits from 1e3 radii away, some of which the textbook's discriminant loses", 1e3f,
+        kHits);
     far("sphere_at_1e4", "hits from 1e4 radii away, where that discriminant is rounding alone", 1e4f, kHits);
-    far("sphere_passed_at_1e4", "rays that pass it by 1 to 10 % of its radius from 1e4 radii away", 1e4f, kPasses);
+    far("sphere_passed_at_1e4", "rays that pass it by 1 to 10 % of its radius from 1e4 radii away", 1e4f,
+        kPasses);
     add("sphere_planet", "a radius of 1e6 seen from a few units above: digits cancel in t", planet);
     add("sphere_inside", "rays that start inside must hit the far side", inside);
     add("sphere_surface", "rays that start on it: whether they are in or out is rounding", on_surface);
     add("sphere_shells", "two spheres 2^-14 apart, of which the nearer must be hit", shells);
     add("sphere_cloud", "spheres of radii from 2^-12 to 2^-3, at their outlines and inside",
-        [](std::uint64_t seed) { return cloud(1.0f, {0, 0, 0}, seed); });
-    add("sphere_cloud_at_150k", "the same spheres, 64 times as large, around 1.5e5",
-        [](std::uint64_t seed) { return cloud(64.0f, {1.5e5f, -1.5e5f, 0.75e5f}, seed); });
-    add("sphere_cloud_x1e-6", "the same spheres a millionth as large",
-        [](std::uint64_t seed) { return cloud(1e-6f, {0, 0, 0}, seed); });
-    add("sphere_cloud_x1e6", "the same spheres a million times as large",
-        [](std::uint64_t seed) { return cloud(1e6f, {0, 0, 0}, seed); });
+        [](std::uint64_t seed) {
+            return cloud(1.0f, {0, 0, 0}, seed);
+        });
+    add("sphere_cloud_at_150k", "the same spheres, 64 times as large, around 1.5e5", [](std::uint64_t seed) {
+        return cloud(64.0f, {1.5e5f, -1.5e5f, 0.75e5f}, seed);
+    });
+    add("sphere_cloud_x1e-6", "the same spheres a millionth as large", [](std::uint64_t seed) {
+        return cloud(1e-6f, {0, 0, 0}, seed);
+    });
+    add("sphere_cloud_x1e6", "the same spheres a million times as large", [](std::uint64_t seed) {
+        return cloud(1e6f, {0, 0, 0}, seed);
+    });
     return list;
 }
 

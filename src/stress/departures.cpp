@@ -1,5 +1,5 @@
-// Paths that leave a surface from where shading found it to be: a policy of offsets must neither hit that surface
-// again, nor lose what the path would have hit, nor carry it through a wall.
+// Paths that leave a surface from where shading found it to be: a policy of offsets must neither hit that
+// surface again, nor lose what the path would have hit, nor carry it through a wall.
 #include <cmath>
 #include <memory>
 
@@ -47,8 +47,8 @@ Departure leave_triangle(const GeometryView& geometry, std::uint32_t id, Side si
     const Vec3 outward = normalize(cross(s.b - s.a, s.c - s.a));
     const bool outer = side == Side::outer || (side == Side::either && random.below(2) == 0);
     const Vec3 from = direction_about(outer ? outward : -outward, random.between(0.1f, 1.0f), random.unit());
-    Departure d = leave(geometry, ray_along({0, 0, 0}, -from),
-                        {reach * random.between(0.1f, 2.0f), id, u, v}, random);
+    Departure d =
+        leave(geometry, ray_along({0, 0, 0}, -from), {reach * random.between(0.1f, 2.0f), id, u, v}, random);
     for (int a = 0; a < 3; ++a) {
         const double at = s.a[a], b = s.b[a], c = s.c[a];
         d.exact[static_cast<std::size_t>(a)] = at + (double{u} * (b - at) + double{v} * (c - at));
@@ -149,7 +149,8 @@ std::vector<StressInfo> departure_workloads() {
     spheres("leave_sphere", "paths outwards from a sphere must hit nothing", 1.0f, 0.0f, Side::outer);
     spheres("leave_sphere_x1e3", "the same of radius 1e3", 1e3f, 0.0f, Side::outer);
     spheres("leave_sphere_at_1e4", "the same at 1e4", 1.0f, 1e4f, Side::outer);
-    spheres("cross_sphere", "paths inwards must hit the far side of the same sphere", 1.0f, 0.0f, Side::inner);
+    spheres("cross_sphere", "paths inwards must hit the far side of the same sphere", 1.0f, 0.0f,
+            Side::inner);
     spheres("cross_sphere_x1e-3", "the same of radius 1e-3", 1e-3f, 0.0f, Side::inner);
     add("thin_walls", "paths between two walls 2^-14 apart, which too long an offset jumps over", walls);
     return list;

@@ -1,5 +1,5 @@
-// Coordinates that many planes share: a ray with a zero component, in the plane of a box's side, makes 0 times
-// infinity of an unguarded slab test.
+// Coordinates that many planes share: a ray with a zero component, in the plane of a box's side, makes 0
+// times infinity of an unguarded slab test.
 #include <memory>
 
 #include "stress/aim.h"
@@ -88,8 +88,9 @@ std::vector<StressInfo> grid_workloads() {
     return {
         {"axis_parallel", "axis-parallel rays that start on a cube's grid planes, in the planes of boxes",
          kOfTriangles, axis_parallel},
-        {"cube_vertices", "rays inside a cube of twelve triangles at its corners, which are its boxes' corners",
-         kOfTriangles, [](std::uint64_t seed) { return cube_vertices(1, false, seed); }},
+        {"cube_vertices",
+         "rays inside a cube of twelve triangles at its corners, which are its boxes' corners", kOfTriangles,
+         [](std::uint64_t seed) { return cube_vertices(1, false, seed); }},
         {"grid_vertices", "the same of a cube of 8 x 8 squares on each face, which share planes of boxes",
          kOfTriangles, [](std::uint64_t seed) { return cube_vertices(kSquares, false, seed); }},
         {"grid_to_grid", "rays from a grid's points to its vertices: exact ties between planes of boxes",

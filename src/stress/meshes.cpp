@@ -20,9 +20,7 @@ Point unit(Point p) {
     return {p.x / l, p.y / l, p.z / l};
 }
 
-Vec3 rounded(Point p) {
-    return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-}
+Vec3 rounded(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}; }
 
 // A fixed rotation, by angles that are no fraction of a turn.
 Point turned(Point p) {
@@ -98,8 +96,7 @@ Mesh tube_mesh(int narrow, float width, float height) {
     for (const double z : {-0.5, 0.5}) {
         for (std::uint32_t i = 0; i < n; ++i) {
             const double angle = angle_of(i);
-            mesh.positions.push_back(
-                rounded(turned({std::cos(angle), std::sin(angle), z * double{height}})));
+            mesh.positions.push_back(rounded(turned({std::cos(angle), std::sin(angle), z * double{height}})));
         }
         mesh.positions.push_back(rounded(turned({0.0, 0.0, z * double{height}})));
     }

@@ -1,5 +1,5 @@
-// Meshes for stress workloads, computed in float64 and rounded once: rounding must not make cracks or folds that
-// are not meant.
+// Meshes for stress workloads, computed in float64 and rounded once: rounding must not make cracks or folds
+// that are not meant.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,13 @@ namespace ctpbench {
 // radius star-shaped about the center. Triangles are counterclockwise from outside.
 Mesh star_mesh(int subdivisions, float radius, Vec3 center, float roughness, std::uint64_t seed);
 
-// A closed prism of this height over a polygon in the unit circle, turned to no axis' favour: first its sides of
-// two triangles each, `narrow` of them of that width, the rest of the circle in 64; then its lids, fans about their
-// centers.
+// A closed prism of this height over a polygon in the unit circle, turned to no axis' favour: first its sides
+// of two triangles each, `narrow` of them of that width, the rest of the circle in 64; then its lids, fans
+// about their centers.
 Mesh tube_mesh(int narrow, float width, float height);
 
-// The cube [-1, 1]^3 with n x n squares of two triangles on each face; all coordinates are multiples of 2 / n.
+// The cube [-1, 1]^3 with n x n squares of two triangles on each face; all coordinates are multiples of 2 /
+// n.
 Mesh cube_mesh(int n);
 
 // n x n parallelograms of two triangles in the plane z = x / 4 - y / 2, over a square of this side about the

@@ -8,8 +8,9 @@ namespace ctpbench {
 const std::vector<StressInfo>& stress_workloads() {
     static const std::vector<StressInfo> all = [] {
         std::vector<StressInfo> list;
-        for (const auto& family : {star_workloads(), star_layer_workloads(), sliver_workloads(), grid_workloads(),
-                                   heap_workloads(), ball_workloads(), departure_workloads()})
+        for (const auto& family :
+             {star_workloads(), star_layer_workloads(), sliver_workloads(), grid_workloads(),
+              heap_workloads(), ball_workloads(), departure_workloads()})
             list.insert(list.end(), family.begin(), family.end());
         return list;
     }();

@@ -24,8 +24,8 @@ StressWorkload needles(std::uint64_t seed) {
     return w;
 }
 
-// At points inside the triangles of a flat tilted floor, from up to 4 away, at angles whose cosine to the normal
-// is from 1e-4 to 1e-1.
+// At points inside the triangles of a flat tilted floor, from up to 4 away, at angles whose cosine to the
+// normal is from 1e-4 to 1e-1.
 StressWorkload grazing(std::uint64_t seed) {
     StressWorkload w;
     w.scene = stress_scene(floor_mesh(16, 8.0f));

@@ -59,8 +59,8 @@ StressWorkload from_afar(std::uint64_t seed) {
     return w;
 }
 
-// From points of the surface, rounded, to either side: a hit at t = 0 may be found or not, what comes after it
-// must be.
+// From points of the surface, rounded, to either side: a hit at t = 0 may be found or not, what comes after
+// it must be.
 StressWorkload from_surface(std::uint64_t seed) {
     StressWorkload w;
     w.scene = stress_scene(star_mesh(4, 1.0f, {0, 0, 0}, 0.25f, seed));
@@ -76,15 +76,16 @@ StressWorkload from_surface(std::uint64_t seed) {
 
 std::vector<StressInfo> star_layer_workloads() {
     return {
-        {"duplicates", "eight copies of every triangle, all at the same t: one must be reported", kOfTriangles,
-         duplicates},
+        {"duplicates", "eight copies of every triangle, all at the same t: one must be reported",
+         kOfTriangles, duplicates},
         {"double_walls", "two walls 2^-14 apart: what slips through the first, or culls it, hits the second",
          kOfTriangles, double_walls},
-        {"mixed_scales", "a unit mesh above a floor of side 1e6, which makes boxes' padding large", kOfTriangles,
-         mixed_scales},
+        {"mixed_scales", "a unit mesh above a floor of side 1e6, which makes boxes' padding large",
+         kOfTriangles, mixed_scales},
         {"from_afar", "a unit mesh from up to 1e4 away: its size is all that is left of the coordinates",
          kOfTriangles, from_afar},
-        {"from_surface", "rays that start on the mesh: the sign of t is rounding", kOfTriangles, from_surface},
+        {"from_surface", "rays that start on the mesh: the sign of t is rounding", kOfTriangles,
+         from_surface},
     };
 }
 

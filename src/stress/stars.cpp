@@ -1,5 +1,5 @@
-// Closed star-shaped meshes seen from inside: every ray hits, so whatever misses is a leak. At the origin, far
-// from it, and at scales far from one.
+// Closed star-shaped meshes seen from inside: every ray hits, so whatever misses is a leak. At the origin,
+// far from it, and at scales far from one.
 #include <memory>
 
 #include "stress/aim.h"
@@ -16,8 +16,8 @@ struct Place {
     float radius;
     Vec3 center;
 };
-// Far from the origin a mesh is as fine as the floats there let it be star-shaped: they are 1/64 apart at 1.5e5
-// and 1/4 at 3e6.
+// Far from the origin a mesh is as fine as the floats there let it be star-shaped: they are 1/64 apart
+// at 1.5e5 and 1/4 at 3e6.
 constexpr Place kPlaces[] = {
     {"", "of unit size", 4, 1.0f, {0.0f, 0.0f, 0.0f}},
     {"_at_150k", "of radius 64 at 1.5e5", 4, 64.0f, {1.5e5f, -1.5e5f, 0.75e5f}},

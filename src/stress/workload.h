@@ -1,5 +1,6 @@
-// Stress workloads: generated scenes with rays that provoke the rounding errors of one kind of method. Uniformly
-// random rays do not tell methods apart; these do. All of it is a function of the name and the seed.
+// Stress workloads: generated scenes with rays that provoke the rounding errors of one kind of method.
+// Uniformly random rays do not tell methods apart; these do. All of it is a function of the name and the
+// seed.
 #pragma once
 
 #include <array>
@@ -27,12 +28,12 @@ struct Departure {
 struct StressWorkload {
     std::string name;
     Scene scene;
-    // Ray number i, or path number i of a workload for offsets; the other one is empty. Any number of them may
-    // be asked for, in any order, from many threads; ray i is the same however many there are.
+    // Ray number i, or path number i of a workload for offsets; the other one is empty. Any number of them
+    // may be asked for, in any order, from many threads; ray i is the same however many there are.
     std::function<Ray(std::uint32_t)> ray;
     std::function<Departure(std::uint32_t)> departure;
-    // Of a workload for offsets: which surface each primitive, by its id, is part of. Ending on another surface
-    // than the ideal path is a failure, on another triangle of the same one it is not.
+    // Of a workload for offsets: which surface each primitive, by its id, is part of. Ending on another
+    // surface than the ideal path is a failure, on another triangle of the same one it is not.
     std::vector<std::uint32_t> surfaces;
 
     bool of_offsets() const { return static_cast<bool>(departure); }

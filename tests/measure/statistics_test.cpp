@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
+#include <vector>
 
 #include "measure/rounds.h"
 
@@ -70,6 +72,40 @@ TEST(RoundOrder, VisitsEveryoneOnceAndFavoursNobody) {
     EXPECT_EQ(firsts.size(), 5u);
     const auto forward = round_order(5, 2);
     EXPECT_EQ(round_order(5, 3), std::vector<std::size_t>(forward.rbegin(), forward.rend()));
+}
+
+TEST(BinomialInterval, HoldsKnownValues) {
+    // Wilson's interval of 10 in 100 (e.g. Newcombe, Stat. Med. 17, 1998, method 3).
+    const Interval i = binomial_interval(10, 100);
+    EXPECT_NEAR(i.lo, 0.0552, 1e-4);
+    EXPECT_NEAR(i.hi, 0.1744, 1e-4);
+    EXPECT_EQ(binomial_interval(0, 1000).lo, 0.0);
+    EXPECT_DOUBLE_EQ(binomial_interval(0, 1000).hi, 3e-3);
+    EXPECT_DOUBLE_EQ(binomial_interval(1000, 1000).lo, 1.0 - 3e-3);
+    EXPECT_EQ(binomial_interval(1000, 1000).hi, 1.0);
+    EXPECT_EQ(binomial_interval(0, 1).hi, 1.0);
+}
+
+TEST(BinomialInterval, CoversNineteenInTwenty) {
+    std::mt19937_64 engine(3);
+    std::binomial_distribution<int> events(500, 0.02);
+    int covered = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Interval in = binomial_interval(static_cast<std::size_t>(events(engine)), 500);
+        covered += in.lo <= 0.02 && 0.02 <= in.hi;
+    }
+    EXPECT_NEAR(covered / 4000.0, 0.95, 0.02);
+}
+
+TEST(NearestRank, IsTheSmallestValueThatTheShareDoesNotExceed) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::vector<float> values;
+    for (int i = 100; i >= 1; --i) values.push_back(static_cast<float>(i)), values.push_back(nan);
+    EXPECT_EQ(nearest_rank(values, 0.99), 99.0);
+    EXPECT_EQ(nearest_rank(values, 0.991), 100.0);
+    EXPECT_EQ(nearest_rank(values, 0.0), 1.0);
+    EXPECT_EQ(nearest_rank({5.0f}, 0.99), 5.0);
+    EXPECT_TRUE(std::isnan(nearest_rank({nan}, 0.5)));
 }
 
 }  // namespace

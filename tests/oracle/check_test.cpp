@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "oracle/exact.h"
 #include "support.h"
 #include "wavefront/scene_view.h"
@@ -94,15 +97,58 @@ TEST(Judge, IsNotMisledByAWrongReference) {
     EXPECT_EQ(f.verdict({0.3f, 0, -2}, hit(1, 2.0f), hit(0, 1.0f)).reference_wrong, 1u);
 }
 
+TEST(Judge, CountsHitsThatAreNotFinite) {
+    const Fixture f;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(f.verdict({0.3f, 0, -2}, hit(1, nan), hit(1, 2.0f)).not_finite, 1u);
+    EXPECT_EQ(f.verdict({0.3f, 0, -2}, hit(1, kInfinity), hit(1, 2.0f)).not_finite, 1u);
+    const Verdict v = f.verdict({0.3f, 0, -2}, {2.0f, 1, nan, 0}, hit(1, 2.0f));
+    EXPECT_EQ(v.not_finite, 1u);
+    EXPECT_FALSE(v.accepted(false));
+}
+
+TEST(Judge, LeavesTheStartOfARayUndecided) {
+    const Fixture f;
+    // From the plane of the first two triangles: they may be hit at 0, or not.
+    EXPECT_EQ(f.verdict({0.3f, 0, 0}, hit(1, 1e-7f), hit(2, 1.0f)).boundary, 1u);
+    EXPECT_EQ(f.verdict({0.3f, 0, 0}, hit(2, 1.0f), hit(1, 1e-7f)).boundary, 1u);
+    EXPECT_EQ(f.verdict({0.3f, 0, 0}, hit(1, 1e-4f), hit(2, 1.0f)).t_mismatch, 1u) << "but not after it";
+    // From the sphere's near side inwards: 0 and the far side are both right, what is between is not.
+    EXPECT_EQ(f.verdict({0, 0, 4}, hit(3, 2.0f), hit(3, 2.0f)).match, 1u);
+    EXPECT_EQ(f.verdict({0, 0, 4}, hit(3, 1e-7f), hit(3, 2.0f)).match, 1u);
+    EXPECT_EQ(f.verdict({0, 0, 4}, hit(3, 1.0f), hit(3, 2.0f)).t_mismatch, 1u);
+    EXPECT_EQ(f.verdict({0, 0, 4}, kMiss, hit(3, 2.0f)).missed, 1u);
+}
+
+TEST(Judge, ReturnsTheScaledErrorOfT) {
+    const Fixture f;
+    const SceneView view(f.scene);
+    const Judge judge(view.geometry());
+    const Ray ray = {{0.3f, 0, -2}, {0, 0, 1}, kInfinity};
+    Verdict v;
+    EXPECT_EQ(judge.ray(ray, hit(1, 2.0f), hit(1, 2.0f), v), 0.0);
+    // M = 2, kappa = 2^2 / (2 x 1): an ulp of t, 2^-22, is e = 2^-22 / (2^-24 x 2 x 2) = 1.
+    EXPECT_DOUBLE_EQ(judge.ray(ray, hit(1, std::nextafter(2.0f, 3.0f)), hit(1, 2.0f), v), 1.0);
+    EXPECT_TRUE(std::isnan(judge.ray(ray, kMiss, hit(1, 2.0f), v)));
+    EXPECT_TRUE(std::isnan(judge.ray(ray, hit(0, 2.0f), hit(1, 2.0f), v)))
+        << "a false hit has no t to speak of";
+}
+
+TEST(ExactHit, NearACornerTheCornerIsNearest) {
+    // Needle of 1e-3 at its tip: 1e-3 beyond it along its axis the lines of the edges are 1e-6 away.
+    const TriangleShape needle = {{0, 0, 1}, {1, 5e-4f, 1}, {1, -5e-4f, 1}};
+    EXPECT_NEAR(exact_hit(needle, Ray{{-1e-3f, 0, 0}, {0, 0, 1}, kInfinity}).margin, -1e-3, 1e-9);
+}
+
 TEST(ExactHit, MeasuresTheDistanceToTheOutline) {
     const TriangleShape t = {{0, 0, 2}, {4, 0, 2}, {0, 4, 2}};
-    EXPECT_NEAR(exact_hit(t, {{1, 0.5f, 0}, {0, 0, 2}, kInfinity}).margin, 0.5, 1e-12);
-    EXPECT_NEAR(exact_hit(t, {{1, -0.5f, 0}, {0, 0, 2}, kInfinity}).margin, -0.5, 1e-12);
-    EXPECT_NEAR(exact_hit(t, {{1, 0.5f, 0}, {0, 0, 2}, kInfinity}).t, 1.0, 1e-15);
-    EXPECT_TRUE(exact_hit(t, {{1, 0.5f, 0}, {0, 0, -2}, kInfinity}).outside()) << "behind the origin";
+    EXPECT_NEAR(exact_hit(t, Ray{{1, 0.5f, 0}, {0, 0, 2}, kInfinity}).margin, 0.5, 1e-12);
+    EXPECT_NEAR(exact_hit(t, Ray{{1, -0.5f, 0}, {0, 0, 2}, kInfinity}).margin, -0.5, 1e-12);
+    EXPECT_NEAR(exact_hit(t, Ray{{1, 0.5f, 0}, {0, 0, 2}, kInfinity}).t, 1.0, 1e-15);
+    EXPECT_TRUE(exact_hit(t, Ray{{1, 0.5f, 0}, {0, 0, -2}, kInfinity}).outside()) << "behind the origin";
     const SphereShape s = {{0, 0, 3}, 1};
-    EXPECT_NEAR(exact_hit(s, {{0, 0.25f, 0}, {0, 0, 1}, kInfinity}).margin, 0.75, 1e-12);
-    EXPECT_NEAR(exact_hit(s, {{0, 0, 3}, {0, 0, 1}, kInfinity}).t, 1.0, 1e-12) << "from inside";
+    EXPECT_NEAR(exact_hit(s, Ray{{0, 0.25f, 0}, {0, 0, 1}, kInfinity}).margin, 0.75, 1e-12);
+    EXPECT_NEAR(exact_hit(s, Ray{{0, 0, 3}, {0, 0, 1}, kInfinity}).t, 1.0, 1e-12) << "from inside";
 }
 
 }  // namespace
