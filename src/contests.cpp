@@ -113,7 +113,7 @@ void run_intersect_contest(const RunContext& run, ContestInput& input,
             {run.results.cells.size(),
              tracer_of(run, input, c),
              c.restart_carries_t,
-             is_exact(c),
+             is_exact(c) ? intersect_key(c) : "",
              // CUDA's yardstick ignores spheres. Where failures are counted, methods that
              // are known to fail are there to be timed all the same.
              yardstick ? c.backend == "cuda" && input.workload.spheres == 0 : !exam || is_exact(c),

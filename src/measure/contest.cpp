@@ -7,18 +7,21 @@ namespace ctpbench {
 Contest::Contest(CpuBackend& backend, const GeometryView& geometry, std::span<Batch> batches,
                  const Intersector* oracle, std::uint32_t oracle_rays)
     : geometry_(geometry), batches_(batches), judge_(backend, geometry, oracle, oracle_rays) {
-    for (const Batch& batch : batches) expected_.push_back(batch.hit_hash);
+    for (const Batch& batch : batches) expected_[recorded_hits].push_back(batch.hit_hash);
 }
 
 std::vector<Row> Contest::verify(Entrant& entrant, CellResult& cell) {
     std::vector<Row> rows;
-    const bool counts = entrant.exact && !counted_;
+    const bool exact = !entrant.hits.empty();
+    const bool counts = exact && !counted_;
+    std::vector<std::uint64_t>& expected = expected_[entrant.hits];
+    expected.resize(batches_.size());
     std::size_t differing = 0;
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         Batch& batch = batches_[b];
         const std::uint64_t hash = entrant.tracer->trace(batch, entrant.carry_t).hash;
         entrant.hashes.push_back(hash);
-        if (entrant.exact && expected_[b] == 0) expected_[b] = hash;
+        if (expected[b] == 0) expected[b] = hash;
         if (counts) {
             const HitColumns columns = entrant.tracer->hits().view();
             for (std::uint32_t i = 0; i < batch.rays.size(); ++i) {
@@ -27,7 +30,7 @@ std::vector<Row> Contest::verify(Entrant& entrant, CellResult& cell) {
                     columns.primitive[i] != kNoPrimitive && columns.primitive[i] >= geometry_.first_sphere();
             }
         }
-        if (entrant.exact && hash != expected_[b]) ++differing;
+        if (exact && hash != expected[b]) ++differing;
         if (entrant.judged && judge_.can_judge())
             cell.verdict += judge_.judge_hits(b, batch, *entrant.tracer, hash);
         rows.push_back({entrant.cell, "intersect", batch.bounce, 0, batch.active,
@@ -40,7 +43,7 @@ std::vector<Row> Contest::verify(Entrant& entrant, CellResult& cell) {
         cell.valid = false;
         cell.reason = "hits differ from the reference's in " + std::to_string(differing) + " of " +
                       std::to_string(batches_.size()) + " batches";
-    } else if (!cell.verdict.accepted(entrant.exact)) {
+    } else if (!cell.verdict.accepted(exact)) {
         cell.valid = false;
         cell.reason = "the oracle disagrees: " + cell.verdict.text();
     }

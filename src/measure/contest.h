@@ -3,10 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "kernels/methods/bundles.h"
 #include "measure/hit_judge.h"
 #include "measure/results.h"
 #include "wavefront/batch.h"
@@ -19,10 +22,14 @@ struct Entrant {
     std::size_t cell;  // in Results::cells
     std::unique_ptr<BatchTracer> tracer;
     bool carry_t;
-    bool exact;                         // must give the recorded pipeline's hits bit for bit
+    std::string hits;                   // those of one name must give the same hits bit for bit, and those
+                                        // of recorded_hits what the recorded pipeline found; empty: anything
     bool judged;                        // by the oracle; the oracle itself is not
     std::vector<std::uint64_t> hashes;  // of its hits, by batch
 };
+
+// The methods that recorded pipelines use, as a name of hits.
+inline constexpr const char* recorded_hits = Watertight::name;
 
 class Contest {
 public:
@@ -30,9 +37,8 @@ public:
     Contest(CpuBackend& backend, const GeometryView& geometry, std::span<Batch> batches,
             const Intersector* oracle, std::uint32_t oracle_rays);
 
-    // Traces every batch untimed, which also warms up; judges the hits and sets the cell's verdict. Entrants
-    // whose `exact` is set are compared with the batches' own, or else with the first of them. Returns one
-    // row per batch, without a time.
+    // Traces every batch untimed, which also warms up; judges the hits and sets the cell's verdict. Returns
+    // one row per batch, without a time.
     std::vector<Row> verify(Entrant& entrant, CellResult& cell);
 
     // One round over all valid entrants; appends to each cell's series. Stops early, keeping nothing of the
@@ -47,7 +53,8 @@ private:
     GeometryView geometry_;
     std::span<Batch> batches_;
     HitJudge judge_;
-    std::vector<std::uint64_t> expected_;  // hashes of exact hits, by batch; 0: not known yet
+    std::map<std::string, std::vector<std::uint64_t>>
+        expected_;  // by name, hashes by batch; 0: not known yet
     bool counted_ = false;
     std::size_t sphere_hits_ = 0, hits_seen_ = 0;
 };

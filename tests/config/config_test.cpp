@@ -101,7 +101,7 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
         "\"embree_default\", \"while_while\", \"sort\", \"sort_restored\", \"queues\"\n"
         "t.json:6:42: error: /tables/1: unknown table \"table9\"; did you mean \"table2\"? choices: "
-        "\"table2\", \"table3\", \"table1\", \"figure4\"\n"
+        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\"\n"
         "t.json:6:52: error: /tables/2: is here twice; remove one of the two");
 }
 

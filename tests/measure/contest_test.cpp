@@ -48,10 +48,10 @@ protected:
     CellResult verdict_on(const Intersector& intersector, bool exact = true) {
         Contest contest(backend_, view_.geometry(), batches_, oracle_.get(), 0);
         CellResult first, cell;
-        Entrant reference{0, traces(*ctp_), true, true, true, {}};
+        Entrant reference{0, traces(*ctp_), true, recorded_hits, true, {}};
         contest.verify(reference, first);
         EXPECT_TRUE(first.valid) << first.reason;
-        Entrant entrant{0, traces(intersector), true, exact, true, {}};
+        Entrant entrant{0, traces(intersector), true, exact ? recorded_hits : "", true, {}};
         const std::vector<Row> rows = contest.verify(entrant, cell);
         EXPECT_EQ(rows.size(), batches_.size());
         EXPECT_EQ(rows[0].hit_hash, entrant.hashes[0]);
@@ -95,7 +95,7 @@ TEST_F(ContestTest, NoticesHitsThatChangeBetweenRuns) {
     Results results;
     results.cells.resize(2);
     std::vector<Entrant> entrants;
-    entrants.push_back({0, traces(*ctp_), true, true, true, {}});
+    entrants.push_back({0, traces(*ctp_), true, recorded_hits, true, {}});
     entrants.push_back({1, traces(broken), true, false, false, {}});
     for (Entrant& e : entrants) contest.verify(e, results.cells[e.cell]);
     results.cells[1].valid = true;
@@ -109,8 +109,8 @@ TEST_F(ContestTest, ARoundTimesEveryEntrantOnEveryBatch) {
     Results results;
     results.cells.resize(2);
     std::vector<Entrant> entrants;
-    entrants.push_back({0, traces(*ctp_), true, true, true, {}});
-    entrants.push_back({1, traces(*restart_), true, true, true, {}});
+    entrants.push_back({0, traces(*ctp_), true, recorded_hits, true, {}});
+    entrants.push_back({1, traces(*restart_), true, recorded_hits, true, {}});
     for (Entrant& e : entrants) contest.verify(e, results.cells[e.cell]);
     for (std::uint32_t round = 0; round < 3; ++round) {
         const std::vector<Row> rows = contest.round(round, entrants, results, [] { return false; });

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "backends/cuda.h"
+#include "config/axes.h"
 #include "support.h"
 #include "wavefront/cpu_tracer.h"
 #include "wavefront/cuda_workload.h"
