@@ -13,12 +13,12 @@ inline KnownNames test_names() {
     known.strategies = {"ctp", "std_variant", "oop", "oop_arena", "restart", "typed_leaves"};
     known.yardsticks = {{"embree_robust", "cpu"}, {"embree_default", "cpu"}, {"while_while", "cuda"}};
     known.traversals = {"single", "packet"};
-    known.methods = {"watertight", "paper"};
+    known.methods = {"watertight", "paper", "fast", "float64"};
     known.builders = {"quality", "paper"};
-    known.triangle_tests = {"woop", "pluecker"};
-    known.sphere_tests = {"stable", "textbook"};
-    known.box_tests = {"padded", "plain"};
-    known.offsets = {"waechter_binder", "exclude_id"};
+    known.triangle_tests = {"woop", "moeller_trumbore", "pluecker", "baldwin_weber", "moeller_trumbore_f64"};
+    known.sphere_tests = {"stable", "textbook", "stable_f64"};
+    known.box_tests = {"padded", "plain", "ize"};
+    known.offsets = {"waechter_binder", "constant_epsilon", "relative_epsilon", "exclude_id"};
     known.stress = {{"edges", {"triangle", "box"}}, {"far_spheres", {"sphere"}}, {"leaving", {"offset"}}};
     known.shades = {"ctp", "std_variant", "oop", "oop_arena", "sort", "sort_restored", "queues"};
     return known;
