@@ -27,7 +27,7 @@ def read_rows(path, needed):
     return rows
 
 
-def number(path, row, name):
+def number(path, row, name, signed=False):
     """None stands for what was not measured."""
     text = row[name].strip()
     if text in ("", "n/a"):
@@ -36,9 +36,34 @@ def number(path, row, name):
         value = float(text)
     except ValueError:
         value = math.nan
-    if not (math.isfinite(value) and value >= 0):
-        raise InputError(f"{path}:{row['line']}: {name} is \"{text}\"; expected a number that is not negative")
+    if not (math.isfinite(value) and (signed or value >= 0)):
+        raise InputError(f"{path}:{row['line']}: {name} is \"{text}\"; expected a number"
+                         + ("" if signed else " that is not negative"))
     return value
+
+
+def measured(path, row, name, signed=False):
+    """A number that must be there."""
+    value = number(path, row, name, signed)
+    if value is None:
+        raise InputError(f"{path}:{row['line']}: {name} is empty; run the experiment again")
+    return value
+
+
+def truth(path, row, name):
+    if row[name] not in ("true", "false"):
+        raise InputError(f"{path}:{row['line']}: {name} is \"{row[name]}\"; expected true or false")
+    return row[name] == "true"
+
+
+def require_once(path, rows, names):
+    """Each combination of these columns may be there once."""
+    seen = set()
+    for row in rows:
+        key = tuple(row[name] for name in names)
+        if key in seen:
+            raise InputError(f"{path}:{row['line']}: a second row for {', '.join(key)}; a chart needs one")
+        seen.add(key)
 
 
 def count(value):

@@ -1,11 +1,16 @@
 #include "contests.h"
 
+#include <optional>
+#include <span>
+
 #include "kernels/registry.h"
 #include "measure/contest.h"
 #include "measure/frame_contest.h"
 #include "oracle/embree.h"
 #include "report/image.h"
+#include "scene_exam.h"
 #include "wavefront/device_demand.h"
+#include "wavefront/methods.h"
 
 namespace ctpbench {
 namespace {
@@ -51,9 +56,8 @@ void write_images(const RunContext& run, const ContestInput& input,
 
 }  // namespace
 
-std::vector<Batch> record_frame(const RunContext& run, const ContestInput& input) {
+void record_frame(const RunContext& run, ContestInput& input) {
     run.progress.step("tracing the reference frame", kFrame);
-    std::vector<Batch> batches;
     ImageStorage image;
     Contender recording;
     recording.backend = "cpu", recording.strategy = run.config.reference;
@@ -62,11 +66,11 @@ std::vector<Batch> record_frame(const RunContext& run, const ContestInput& input
         .make(recording, frame_settings(run.config, recording))
         ->frame(true, 0, image, [&](const BounceView& view) {
             stop_if_interrupted();
-            Batch& batch = batches.emplace_back(
+            Batch& batch = input.batches.emplace_back(
                 record_batch(view.bounce, view.rays, view.slots, run.config.batch_rays, view.excluded));
             batch.hit_hash = record_hits(batch, view.hits).hash();
         });
-    return batches;
+    if (input.examined != nullptr) input.batches.push_back(exam_batch(run, input, run.config.stress_rays));
 }
 
 std::unique_ptr<CudaWorkload> cuda_workload(const RunContext& run, ContestInput& input,
@@ -79,6 +83,7 @@ std::unique_ptr<CudaWorkload> cuda_workload(const RunContext& run, ContestInput&
         if (!c.renders()) continue;
         demand.shaders.push_back(c.shade);
         demand.frames = frame_settings(run.config, c);
+        demand.excludes |= offset_of(c.methods, c.offset) == ExcludeId::name;
     }
     if (demand.intersectors.empty()) return nullptr;
     run.progress.step("counting what the device will hold", kFrame);
@@ -89,7 +94,14 @@ std::unique_ptr<CudaWorkload> cuda_workload(const RunContext& run, ContestInput&
 
 void run_intersect_contest(const RunContext& run, ContestInput& input,
                            const std::vector<Contender>& contenders) {
-    Contest contest(run.backend, input.view.geometry(), input.batches, input.oracle, run.config.oracle_rays);
+    std::span<Batch> recorded(input.batches);
+    std::optional<SceneExam> exam;
+    if (input.examined != nullptr) {
+        run.progress.step("finding the exam's answers", kFrame);
+        exam.emplace(run, input, *input.examined, recorded.back());
+        recorded = recorded.first(recorded.size() - 1);
+    }
+    Contest contest(run.backend, input.view.geometry(), recorded, input.oracle, run.config.oracle_rays);
     std::vector<Entrant> entrants;
     for (const Contender& c : contenders) {
         const bool yardstick = c.is_yardstick();
@@ -97,16 +109,22 @@ void run_intersect_contest(const RunContext& run, ContestInput& input,
             run.note(c.label() + ": left out, this program was built without Embree");
             continue;
         }
-        entrants.push_back({run.results.cells.size(),
-                            tracer_of(run, input, c),
-                            c.restart_carries_t,
-                            is_exact(c),
-                            // CUDA's yardstick ignores spheres.
-                            !yardstick || (c.backend == "cuda" && input.workload.spheres == 0),
-                            {}});
+        entrants.push_back(
+            {run.results.cells.size(),
+             tracer_of(run, input, c),
+             c.restart_carries_t,
+             is_exact(c),
+             // CUDA's yardstick ignores spheres. Where failures are counted, methods that
+             // are known to fail are there to be timed all the same.
+             yardstick ? c.backend == "cuda" && input.workload.spheres == 0 : !exam || is_exact(c),
+             {}});
         enter(run, cell_of(input, c),
               static_cast<double>(entrants.size()) / static_cast<double>(contenders.size()),
-              [&](CellResult& cell) { return contest.verify(entrants.back(), cell); });
+              [&](CellResult& cell) {
+                  std::vector<Row> rows = contest.verify(entrants.back(), cell);
+                  if (exam) cell.accuracy = exam->take(*entrants.back().tracer);
+                  return rows;
+              });
     }
     input.in_results.sphere_hit_share = contest.sphere_hit_share();
     run_rounds(run, contest, entrants);

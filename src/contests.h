@@ -10,8 +10,9 @@
 
 namespace ctpbench {
 
-// Renders the reference's frame and keeps the rays of each bounce.
-std::vector<Batch> record_frame(const RunContext& run, const ContestInput& input);
+// Renders the reference's frame and keeps the rays of each bounce, with those of the exam if there is to be
+// one.
+void record_frame(const RunContext& run, ContestInput& input);
 
 // Null if no contender is for CUDA. Throws Error(no_backend) if they do not all fit the device's memory;
 // nothing is allocated there before that is known.

@@ -44,7 +44,7 @@ std::unique_ptr<FramePipeline> PipelineMaker::make(const Contender& c, const Fra
     const std::string methods = intersect_key(c);
     if (c.backend == "cuda")
         return input_.cuda->pipeline(c.strategy, methods, c.shade, cuda_launch(c.launch), input_.scene.camera,
-                                     settings);
+                                     settings, offset_of(c.methods, c.offset));
     return std::make_unique<CpuPipeline>(
         renderer(settings), input_.lineup.get(c.strategy, methods),
         make_shader(c.shade, input_.view.materials(), offset_of(c.methods, c.offset)));

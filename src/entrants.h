@@ -23,6 +23,8 @@ struct ContestInput {
     const Intersector* oracle;  // null: there is none
     SceneResult& in_results;
     std::vector<Batch> batches{};          // of the reference's frame; none: nobody intersects
+    const Tree* examined{};                // over all primitives; null: failures are not counted. Else the
+                                           // exam's batch follows the frame's
     std::unique_ptr<CudaWorkload> cuda{};  // null: no contender is for CUDA; after the batches, which it uses
 };
 

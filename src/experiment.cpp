@@ -9,12 +9,15 @@
 
 #include "backends/cuda.h"
 #include "contests.h"
+#include "convergence.h"
 #include "oracle/embree.h"
 #include "report/console.h"
+#include "report/convergence.h"
 #include "report/figures.h"
 #include "report/frame_tables.h"
 #include "report/image.h"
 #include "report/meta.h"
+#include "report/pareto.h"
 #include "report/summary.h"
 #include "report/tables.h"
 #include "run_context.h"
@@ -28,6 +31,10 @@ namespace {
 
 // Shares of a workload's time, for the progress line.
 constexpr double kScene = 0.03, kTrees = 0.30;
+
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 std::string run_id_of(const Config& config) {
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -55,7 +62,7 @@ public:
     }
 
     ExitCode run(const std::vector<WorkloadCells>& workloads) {
-        if (config_.measure && embree_version().empty())
+        if (config_.measure && !stability_ && embree_version().empty())
             context_.note(
                 "this program was built without Embree: hits are compared among contenders, but no oracle "
                 "checks them");
@@ -95,6 +102,10 @@ private:
     void write_tables() {
         write_file(folder_ / "trees.csv", trees_csv(results_));
         if (config_.measure) write_file(folder_ / "summary.csv", summary_csv(config_, results_));
+        if (config_.study == Study::convergence) {
+            write_file(folder_ / "convergence.csv", convergence_csv(config_, results_));
+            write_file(folder_ / "convergence_fits.csv", convergence_fits_csv(config_, results_));
+        }
         for (const std::string& table : config_.tables) {
             if (table == "table2") write_file(folder_ / "table2.csv", table2_csv(results_));
             if (table == "table3") {
@@ -105,6 +116,7 @@ private:
                 write_file(folder_ / "table1.csv", table1_csv(results_));
                 write_file(folder_ / "table1.md", table1_markdown(results_));
             }
+            if (table == "pareto") write_file(folder_ / "pareto.csv", pareto_csv(config_, results_));
             if (table == "figure4") write_file(folder_ / "figure4.csv", figure4_csv(config_, results_));
         }
     }
@@ -136,6 +148,7 @@ private:
         const bool intersects = std::any_of(cells.contenders.begin(), cells.contenders.end(),
                                             [](const Contender& c) { return !c.renders(); });
         if (intersects) need(config_.reference);
+        if (is_among(config_.tables, "pareto")) kinds.insert(TreeKind::mixed);  // the exam's
         if (!config_.measure) kinds = {TreeKind::mixed, TreeKind::per_type};
 
         SbvhSettings settings;
@@ -187,10 +200,15 @@ private:
         std::vector<Contender> intersecting, rendering;
         for (const Contender& c : cells.contenders) (c.renders() ? rendering : intersecting).push_back(c);
         ContestInput input{cells.workload, scene, view, lineup, oracle, in_results};
-        if (!intersecting.empty()) input.batches = record_frame(context_, input);
+        if (is_among(config_.tables, "pareto")) input.examined = forest.mixed.get();
+        if (!intersecting.empty()) record_frame(context_, input);
         input.cuda = cuda_workload(context_, input, layout, cells.contenders);
         if (!intersecting.empty()) run_intersect_contest(context_, input, intersecting);
-        if (!rendering.empty()) run_frame_contest(context_, input, rendering);
+        if (rendering.empty()) return;
+        if (config_.study == Study::convergence)
+            run_convergence(context_, input, rendering);
+        else
+            run_frame_contest(context_, input, rendering);
     }
 
     const Config& config_;
@@ -226,12 +244,14 @@ KnownNames known_names() {
         return methods_obstacle(c.strategy, c.methods, c.triangle_test, c.sphere_test, c.box_test, c.offset);
     };
     names.traversals = {"single"};
-    names.studies = {"speed", "stability"};
+    names.studies = {"speed", "stability", "convergence"};
     names.stress = known_stress();
     return names;
 }
 
 ExitCode run_experiment(const Config& config, const std::vector<Cell>& cells, const RunOptions& options) {
+    if (config.study == Study::stability)
+        throw Error(ExitCode::usage, "/study: error: this program has no study of stability");
     const bool on_cuda = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
         return cell.contender && cell.contender->backend == "cuda";
     });

@@ -94,9 +94,12 @@ void run_stability_study(const RunContext& run, const WorkloadCells& cells, Stab
         step("judging " + c.label(), kReference + (1.0 - kReference) * static_cast<double>(i) /
                                                       static_cast<double>(contenders.size()));
         const std::unique_ptr<BatchTracer> tracer = tracer_of(run, input, c);
-        Batch& batch = input.batches[of_paths ? batch_of_offset.at(offset_of(c.methods, c.offset)) : 0];
+        const auto paths = [&] {
+            Batch& batch = input.batches[batch_of_offset.at(offset_of(c.methods, c.offset))];
+            return of_paths->take(*tracer, batch);
+        };
         rows.push_back({c.kind(), c.method(), c.backend, is_default(c), stress.name,
-                        of_paths ? of_paths->take(*tracer, batch) : of_rays->take(*tracer, batch)});
+                        of_paths ? paths() : of_rays->take(*tracer)});
         file.append(rows.back());
     }
 }

@@ -1,9 +1,11 @@
 // Moeller & Trumbore's test (methods/triangle_moeller_trumbore.h) in float64. Vertices are stored in float32
 // and promoted here, so a triangle takes no more memory; differences of promoted vertices are all but exact.
 //
-// Products of float32 numbers are exact in float64, so a ray through a shared edge is not lost. What is left
-// is a ray in a triangle's plane, as along one of its edges: the determinant is then nothing but rounding,
-// and so is t. No bound on t holds at such angles, as it does for methods/triangle_watertight.h.
+// Products of float32 numbers are exact in float64, so a ray at a shared edge, which passes beside it by some
+// ulps of float32, is not lost. What is left is what is exactly 0: a ray that meets a vertex in all digits
+// may be lost there, and for a ray in a triangle's plane, as along one of its edges, the determinant is
+// nothing but rounding, and so is t. No bound on t holds at such angles, as it does for
+// methods/triangle_watertight.h.
 #pragma once
 
 #include "../primitives/shapes.h"

@@ -55,7 +55,7 @@ struct Config {
 
     // Of a stability study alone.
     std::vector<std::string> stress{};     // workloads; the reader fills in all that there are
-    std::uint32_t stress_rays = 1u << 20;  // of each workload
+    std::uint32_t stress_rays = 1u << 20;  // of each workload; also of table "pareto"
     // Of a convergence study alone.
     std::uint32_t seeds = 8;                 // independent pictures of each contender
     std::uint32_t samples = 256;             // per pixel of the last of them: a power of two
@@ -91,6 +91,7 @@ struct KnownNames {
     std::vector<std::string> tree_tables = {"table2"};              // need trees only
     std::vector<std::string> speed_tables = {"table3"};             // need measurements of intersect
     std::vector<std::string> frame_tables = {"table1", "figure4"};  // need rendered frames
+    std::vector<std::string> failure_tables = {"pareto"};           // intersect, and failures beside it
 
     const Yardstick* yardstick(const std::string& name) const;  // null: there is none of this name
     std::vector<std::string> all_strategies() const;

@@ -157,6 +157,16 @@ void check_cells(const JsonObject& root, const KnownNames& known, Config& config
         if (any(false)) config.tables = joined(config.tables, known.speed_tables);
         if (any(true)) config.tables = joined(config.tables, known.frame_tables);
     }
+    for (const JsonValue& element : root.list("tables")) {
+        std::string table;
+        if (!any(false) && element.read(table) && is_among(known.failure_tables, table))
+            element.error("needs recorded rays; add \"none\" to /matrix/shade");
+    }
+    const bool counts_failures =
+        std::any_of(config.tables.begin(), config.tables.end(),
+                    [&](const std::string& table) { return is_among(known.failure_tables, table); });
+    if (root.has("stress_rays") && !counts_failures)
+        root.error("stress_rays", "means nothing without table \"pareto\"; remove it, or add that");
     if (any(true)) return;
     constexpr const char* remedy = "needs rendered frames; name shade strategies in /matrix/shade";
     if (config.images) root.error("images", remedy);
@@ -185,7 +195,7 @@ std::vector<std::string> KnownNames::all_strategies() const {
 }
 std::vector<std::string> KnownNames::all_shades() const { return joined({no_shade}, shades); }
 std::vector<std::string> KnownNames::all_tables() const {
-    return joined(joined(tree_tables, speed_tables), frame_tables);
+    return joined(joined(joined(tree_tables, speed_tables), frame_tables), failure_tables);
 }
 
 Config read_config(JsonDocument document, const KnownNames& known) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "config/axes_reader.h"
@@ -47,10 +48,10 @@ nlohmann::json to_json(const Config& config) {
                            {"oracle_rays", config.oracle_rays},
                            {"tables", config.tables},
                            {"images", config.images}};
-    if (config.study == Study::stability) {
-        json["stress"] = config.stress;
-        json["stress_rays"] = config.stress_rays;
-    }
+    if (config.study == Study::stability) json["stress"] = config.stress;
+    const bool pareto =
+        std::find(config.tables.begin(), config.tables.end(), "pareto") != config.tables.end();
+    if (config.study == Study::stability || pareto) json["stress_rays"] = config.stress_rays;
     if (config.study == Study::convergence) {
         json["seeds"] = config.seeds;
         json["samples"] = config.samples;

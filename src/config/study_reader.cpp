@@ -47,7 +47,7 @@ void read_study(const JsonObject& root, const KnownNames& known, Config& config)
         root.error("measure", "a study of methods or of pictures measures; remove one of the two");
 
     if (is_of(Study::stability, root, "stress", config)) read_stress(root, known, config);
-    if (is_of(Study::stability, root, "stress_rays", config))
+    if (config.study == Study::speed || is_of(Study::stability, root, "stress_rays", config))
         root.get("stress_rays", config.stress_rays, range(1, max_rays));
     if (is_of(Study::convergence, root, "seeds", config)) root.get("seeds", config.seeds, range(2, 1000));
     if (is_of(Study::convergence, root, "samples", config) &&

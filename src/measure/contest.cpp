@@ -4,7 +4,7 @@
 
 namespace ctpbench {
 
-Contest::Contest(CpuBackend& backend, const GeometryView& geometry, std::vector<Batch>& batches,
+Contest::Contest(CpuBackend& backend, const GeometryView& geometry, std::span<Batch> batches,
                  const Intersector* oracle, std::uint32_t oracle_rays)
     : geometry_(geometry), batches_(batches), judge_(backend, geometry, oracle, oracle_rays) {
     for (const Batch& batch : batches) expected_.push_back(batch.hit_hash);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "measure/hit_judge.h"
@@ -26,7 +27,7 @@ struct Entrant {
 class Contest {
 public:
     // `oracle` may be null: hits are then compared among contenders only.
-    Contest(CpuBackend& backend, const GeometryView& geometry, std::vector<Batch>& batches,
+    Contest(CpuBackend& backend, const GeometryView& geometry, std::span<Batch> batches,
             const Intersector* oracle, std::uint32_t oracle_rays);
 
     // Traces every batch untimed, which also warms up; judges the hits and sets the cell's verdict. Entrants
@@ -44,7 +45,7 @@ public:
 
 private:
     GeometryView geometry_;
-    std::vector<Batch>& batches_;
+    std::span<Batch> batches_;
     HitJudge judge_;
     std::vector<std::uint64_t> expected_;  // hashes of exact hits, by batch; 0: not known yet
     bool counted_ = false;

@@ -59,7 +59,7 @@ Batch stress_batch(CpuBackend& backend, std::uint32_t n, const std::function<Ray
 
 RayExam::RayExam(CpuBackend& backend, const Judge& judge, const ExactTracer& exact, Batch& batch,
                  const SafePoint& safe_point)
-    : backend_(backend), judge_(judge) {
+    : backend_(backend), judge_(judge), batch_(batch) {
     const std::uint32_t n = size_of(batch);
     reference_.resize(n);
     const HitColumns hits = reference_.view();
@@ -67,11 +67,11 @@ RayExam::RayExam(CpuBackend& backend, const Judge& judge, const ExactTracer& exa
     in_slices(backend, n, safe_point, [&](std::uint32_t i) { hits.store(i, exact.reference(rays.load(i))); });
 }
 
-Accuracy RayExam::take(BatchTracer& tracer, Batch& batch) {
-    tracer.trace(batch, true);
-    const std::uint32_t n = size_of(batch);
+Accuracy RayExam::take(BatchTracer& tracer) {
+    tracer.trace(batch_, true);
+    const std::uint32_t n = size_of(batch_);
     const HitColumns hits = tracer.hits().view(), reference = reference_.view();
-    const RayColumns rays = batch.rays.view();
+    const RayColumns rays = batch_.rays.view();
     std::vector<float> errors(n);
     Accuracy accuracy;
     accuracy.verdict = judged(backend_, n, [&](std::uint32_t i, Verdict& verdict) {

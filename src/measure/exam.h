@@ -35,12 +35,12 @@ public:
     RayExam(CpuBackend& backend, const Judge& judge, const ExactTracer& exact, Batch& batch,
             const SafePoint& safe_point);
 
-    // The same rays as before.
-    Accuracy take(BatchTracer& tracer, Batch& batch);
+    Accuracy take(BatchTracer& tracer);
 
 private:
     CpuBackend& backend_;
     const Judge& judge_;
+    Batch& batch_;
     HitStorage reference_;
 };
 

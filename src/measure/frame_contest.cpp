@@ -2,29 +2,13 @@
 
 #include <algorithm>
 
+#include "kernels/methods/offset_waechter_binder.h"
+#include "measure/frame_series.h"
 #include "measure/rounds.h"
+#include "wavefront/methods.h"
 
 namespace ctpbench {
 namespace {
-
-// Adds what a frame's stages took to the cell, over all bounces.
-void add_frame(CellResult& cell, const std::vector<StageTime>& stages) {
-    std::vector<const char*> kernels;
-    for (const StageTime& s : stages) {
-        if (std::find(kernels.begin(), kernels.end(), s.kernel) == kernels.end()) kernels.push_back(s.kernel);
-    }
-    for (const StageTime& s : stages) {
-        if (std::string_view(s.kernel) == "shade") cell.shaded += s.rays;
-        cell.dropped += s.dropped, cell.clamped += s.clamped;
-    }
-    for (const char* kernel : kernels) {
-        std::uint64_t rays = 0;
-        double seconds = 0.0;
-        for (const StageTime& s : stages)
-            if (s.kernel == kernel) rays += s.rays, seconds += s.seconds;
-        cell.add(kernel, rays, static_cast<double>(rays) / seconds * 1e-6, seconds);
-    }
-}
 
 std::vector<Row> rows_of(std::size_t cell, std::uint32_t round, const std::vector<StageTime>& stages,
                          std::uint64_t image_hash) {
@@ -40,13 +24,16 @@ std::vector<Row> rows_of(std::size_t cell, std::uint32_t round, const std::vecto
     return rows;
 }
 
-// Entrants of one name trace the same rays and must render the same image: those of one backend who leave
-// surfaces, and end paths, in the same way. Where hits depend on the tree, each has a name of its own.
+// Whether rays leave surfaces so that where they start is beyond doubt. With other offsets some start on the
+// surface itself, or behind it, and whether they meet it again is rounding, of which there is no judge; nor
+// does the oracle know of primitives that are left out.
+bool starts_are_sound(const Contender& c) { return offset_of(c.methods, c.offset) == WaechterBinder::name; }
+
+}  // namespace
+
 std::string pictures_of(const Contender& c, bool exact) {
     return exact ? c.backend + "/" + c.methods + c.exchanged() : c.label();
 }
-
-}  // namespace
 
 FrameContest::FrameContest(const GeometryView& geometry, CpuBackend& backend, const Intersector* oracle,
                            std::uint32_t oracle_rays)
@@ -65,7 +52,7 @@ std::vector<Row> FrameContest::verify(FrameEntrant& entrant, CellResult& cell) {
             std::sort(slots.begin(), slots.end());
             Batch all = record_batch(view.bounce, view.rays, slots, 0, view.excluded);
             const std::uint64_t hash = record_hits(all, view.hits).hash();
-            if (judge.can_judge()) {
+            if (judge.can_judge() && (view.bounce == 0 || starts_are_sound(cell.contender))) {
                 Batch batch = record_batch(view.bounce, view.rays, slots, oracle_rays_, view.excluded);
                 HitStorage hits = record_hits(batch, view.hits);
                 cell.verdict += judge.judge_hits(view.bounce, batch, hits, hash);
@@ -119,7 +106,7 @@ std::vector<Row> FrameContest::round(std::uint32_t number, std::vector<FrameEntr
             cell.reason =
                 "its image differs from the first contender's after sample " + std::to_string(number);
         }
-        add_frame(cell, frames[e].stages);
+        add_stages(cell, frames[e].stages);
         cell.image_hash = frames[e].image_hash, cell.samples = number + 1;
         const std::vector<Row> of_frame =
             rows_of(entrants[e].cell, number, frames[e].stages, frames[e].image_hash);

@@ -14,6 +14,10 @@
 
 namespace ctpbench {
 
+// Contenders of one name trace the same rays and must render the same image: those of one backend who leave
+// surfaces, and end paths, in the same way. Where hits depend on the tree, each has a name of its own.
+std::string pictures_of(const Contender& contender, bool exact);
+
 struct FrameEntrant {
     std::size_t cell;  // in Results::cells
     std::unique_ptr<FramePipeline> pipeline;
@@ -28,10 +32,10 @@ public:
     FrameContest(const GeometryView& geometry, CpuBackend& backend, const Intersector* oracle,
                  std::uint32_t oracle_rays);
 
-    // Renders a frame untimed, which also warms up; judges the hits of every bounce and compares hits and
-    // image with those of its backend's first exact entrant: the
-    // sine of an angle is not the same number on every device. Sets the cell's verdict; returns rows without
-    // a time.
+    // Renders a frame untimed, which also warms up; judges the hits of every bounce (of camera rays alone,
+    // where an offset leaves others on the surface they come from) and compares hits and image with those of
+    // the first exact entrant of the same pictures; other backends have others, since the sine of an angle is
+    // not the same number on every device. Sets the cell's verdict; returns rows without a time.
     std::vector<Row> verify(FrameEntrant& entrant, CellResult& cell);
 
     // One round over all valid entrants. Stops early, keeping nothing of the round, when `stop` says so.

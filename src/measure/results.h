@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "config/cells.h"
-#include "oracle/check.h"
+#include "measure/exam.h"
+#include "measure/interval.h"
 
 namespace ctpbench {
 
@@ -38,6 +40,12 @@ struct KernelSeries {
     std::vector<double> seconds;  // of the frame
 };
 
+// How the error of a contender's pictures falls. By seed, then by k: after 2^k samples per pixel.
+struct Convergence {
+    std::vector<std::vector<double>> seconds, relmse;
+    Interval bias;  // squared and relative, as relMSE is: what remains of it after any number of samples
+};
+
 // One contender on one workload.
 struct CellResult {
     Workload workload;
@@ -48,10 +56,12 @@ struct CellResult {
     bool valid = false;
     std::string reason;  // why it is not valid
     Verdict verdict;
+    std::optional<Accuracy> accuracy;                    // where failures are counted beside the speed
     std::vector<KernelSeries> kernels;                   // in the order of the pipeline
     std::uint64_t image_hash = 0;                        // of a frame contest, after the last whole round
     std::uint32_t samples = 0;                           // per pixel in that image
     std::uint64_t shaded = 0, dropped = 0, clamped = 0;  // over all rounds
+    Convergence convergence{};                           // of that study alone
 
     double dropped_per_million() const {
         return shaded == 0 ? 0.0 : 1e6 * static_cast<double>(dropped) / static_cast<double>(shaded);

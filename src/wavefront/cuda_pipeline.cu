@@ -17,6 +17,9 @@ CudaPipeline::CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr
                            settings.height)),
       settings_(settings),
       ambient_(scene.ambient()) {
+    if (shader_->excludes() && !intersector_.excludes()) trap();  // every hit would be suspect
+    if (shader_->excludes() && wavefront_.excluded.size() == 0)
+        wavefront_.excluded = DeviceArray<std::uint32_t>(wavefront_.pixels);
     for (std::uint32_t k = 0; k < shader_->kernels(); ++k)
         if (const char* name = shader_->kernel_name(k)) part_names_[k] = std::string("shade_") + name;
 }
@@ -67,7 +70,7 @@ void CudaPipeline::generate(std::uint32_t sample) {
     clock_.time("generate", 0, stream_.get(), [&] {
         launch_for_each(stream_.get(), {w.pixels},
                         GenerateKernel{camera_, settings_.width, settings_.height, settings_.seed, sample,
-                                       w.rays, w.paths, w.index[0]},
+                                       w.rays, w.paths, w.index[0], excluded()},
                         "generate");
     });
 }
@@ -76,6 +79,7 @@ void CudaPipeline::intersect(std::uint32_t bounce, bool carry_t) {
     PlacedWavefront& w = wavefront_;
     IntersectBuffers io{w.rays, w.hits, w.index[current_], w.pixels, w.geometry.extent};
     io.keys.words = w.words;
+    io.excluded = excluded();
     if (sorts()) io.keys.keys = w.keys;
     if (shader_->order() == PathOrder::queued)
         io.keys.queues = {w.queue_slots, &counts(bounce)->queues, w.pixels};
@@ -106,8 +110,20 @@ void CudaPipeline::sort(std::uint32_t bounce) {
 
 void CudaPipeline::shade(std::uint32_t bounce, std::uint32_t sample) {
     PlacedWavefront& w = wavefront_;
-    const ShadeBuffers io{w.geometry,        w.attributes, w.words,        w.rays, w.hits, w.paths,
-                          w.index[current_], w.fates,      settings_.seed, sample, bounce, ambient_};
+    const ShadeBuffers io{w.geometry,
+                          w.attributes,
+                          w.words,
+                          w.rays,
+                          w.hits,
+                          w.paths,
+                          w.index[current_],
+                          w.fates,
+                          settings_.seed,
+                          sample,
+                          bounce,
+                          ambient_,
+                          settings_.roulette_from,
+                          excluded()};
     const DeviceShadeWork work{w.pixels,
                                &counts(bounce)->active,
                                counts(bounce)->sorted,
@@ -162,7 +178,9 @@ void CudaPipeline::show(std::uint32_t bounce, const BounceObserver& observe) {
     rays.resize(w.pixels), hits.resize(w.pixels);
     copy_columns(rays.view(), w.rays, w.pixels);
     copy_columns(hits.view(), w.hits, w.pixels);
-    observe({bounce, rays.view(), hits.view(), slots});
+    std::vector<std::uint32_t> left_out(excluded() != nullptr ? w.pixels : 0);
+    copy_column(left_out.data(), excluded(), left_out.size());
+    observe({bounce, rays.view(), hits.view(), slots, left_out.empty() ? nullptr : left_out.data()});
 }
 
 }  // namespace ctpbench

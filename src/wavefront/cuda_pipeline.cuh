@@ -33,6 +33,8 @@ private:
     void sort(std::uint32_t bounce);
     void shade(std::uint32_t bounce, std::uint32_t sample);
     bool sorts() const;
+    // By slot, what paths leave out; null if the shader does not exclude.
+    std::uint32_t* excluded() const { return shader_->excludes() ? wavefront_.excluded : nullptr; }
     void compact(std::uint32_t bounce);
     void show(std::uint32_t bounce, const BounceObserver& observe);
     BounceCounts* counts(std::uint32_t bounce) const { return wavefront_.counts + bounce; }

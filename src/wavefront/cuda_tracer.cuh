@@ -17,7 +17,8 @@ public:
     Traced trace(Batch& batch, bool carry_t) override {
         PlacedBatch& entry = batches_.get(batch);
         const auto n = static_cast<std::uint32_t>(batch.rays.size());
-        const IntersectBuffers io{entry.rays, batches_.hits(), entry.index, n, extent_};
+        IntersectBuffers io{entry.rays, batches_.hits(), entry.index, n, extent_};
+        io.excluded = entry.excluded;
         begin_.record(stream_.get());
         intersector_.intersect(stream_.get(), io, {n}, carry_t);
         end_.record(stream_.get());

@@ -19,11 +19,13 @@ public:
     }
     std::unique_ptr<FramePipeline> pipeline(const std::string& strategy, const std::string& methods,
                                             const std::string& shade, CudaLaunch launch, const Camera& camera,
-                                            const FrameSettings& settings) override {
+                                            const FrameSettings& settings,
+                                            const std::string& offset) override {
         if (!wavefront_)
             wavefront_ = std::make_unique<PlacedWavefront>(wavefront_in(place_, scene_, settings));
-        return std::make_unique<CudaPipeline>(intersector(strategy, methods),
-                                              make_device_shader(place_, shade, scene_.materials()), launch,
+        auto shader = make_device_shader(place_, shade, scene_.materials(), offset);
+        if (shader->excludes()) add_excluded(place_, *wavefront_);
+        return std::make_unique<CudaPipeline>(intersector(strategy, methods), std::move(shader), launch,
                                               *wavefront_, scene_, camera, settings);
     }
     std::size_t bytes() const override { return place_.bytes(); }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/dispatch/layout.h"
+#include "kernels/methods/offset_waechter_binder.h"
 #include "wavefront/batch_tracer.h"
 #include "wavefront/frame.h"
 #include "wavefront/scene_view.h"
@@ -30,10 +31,11 @@ public:
     // Names must be registered. What differs only in how it is launched shares its layout. Traces the batches
     // of this workload alone.
     virtual std::unique_ptr<BatchTracer> tracer(const std::string& strategy, const std::string& methods) = 0;
-    // All pipelines of a workload have frames of the same size.
+    // All pipelines of a workload have frames of the same size. `offset`: as in make_shader().
     virtual std::unique_ptr<FramePipeline> pipeline(const std::string& strategy, const std::string& methods,
                                                     const std::string& shade, CudaLaunch launch,
-                                                    const Camera& camera, const FrameSettings& settings) = 0;
+                                                    const Camera& camera, const FrameSettings& settings,
+                                                    const std::string& offset = WaechterBinder::name) = 0;
     // Of the device's memory, as bytes_demanded() counts them.
     virtual std::size_t bytes() const = 0;
 };

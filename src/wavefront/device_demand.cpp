@@ -17,7 +17,10 @@ std::size_t bytes_demanded(const DeviceDemand& demand, const SceneView& scene, c
         visit_intersect_strategy(strategy, methods, [&](auto tag, auto bundle) {
             layout_in<typename decltype(tag)::type, typename decltype(bundle)::type>(place, layout);
         });
-    if (demand.frames) wavefront_in(place, scene, *demand.frames);
+    if (demand.frames) {
+        PlacedWavefront wavefront = wavefront_in(place, scene, *demand.frames);
+        if (demand.excludes) add_excluded(place, wavefront);
+    }
     for (const std::string& name : demand.shaders)
         for_each_type(ShadeStrategies{}, [&](auto tag) {
             using Strategy = typename decltype(tag)::type;

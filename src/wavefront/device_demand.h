@@ -22,6 +22,7 @@ struct DeviceDemand {
         intersectors;                     // strategy, methods: shared by all that have both
     std::vector<std::string> shaders;     // of each pipeline
     std::optional<FrameSettings> frames;  // none: there are no pipelines
+    bool excludes = false;                // whether paths of one leave out what they come from
 };
 
 // Of a CudaWorkload with these contenders. Lays them out as the workload will, on the host and one at a time.

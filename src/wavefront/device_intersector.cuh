@@ -15,9 +15,11 @@ public:
     // As Intersector::intersect(), of `count` active rays; all pointers are the device's.
     virtual void intersect(cudaStream_t stream, const IntersectBuffers& io, DeviceCount count,
                            bool carry_t) const = 0;
+    // Whether it heeds IntersectBuffers::excluded.
+    virtual bool excludes() const = 0;
 };
 
-// The names must be registered, or be the yardstick's. The place must outlive it.
+// As make_intersector(); or the yardstick, whatever the methods. The place must outlive it.
 std::unique_ptr<DeviceIntersector> make_device_intersector(const DevicePlace& place,
                                                            std::string_view strategy,
                                                            std::string_view methods,

@@ -25,6 +25,8 @@ class DeviceShader {
 public:
     virtual ~DeviceShader() = default;
     virtual PathOrder order() const = 0;
+    // Whether it writes ShadeBuffers::excluded, which the intersector must then heed.
+    virtual bool excludes() const = 0;
     // How many kernels a bounce takes, and what the paths of each have in common; null if one takes all.
     virtual std::uint32_t kernels() const = 0;
     virtual const char* kernel_name(std::uint32_t kernel) const = 0;
@@ -32,8 +34,8 @@ public:
                         const DeviceShadeWork& work) const = 0;
 };
 
-// The name must be registered. The place must outlive it.
+// As make_shader(). The place must outlive it.
 std::unique_ptr<DeviceShader> make_device_shader(const DevicePlace& place, std::string_view strategy,
-                                                 const MaterialInput& materials);
+                                                 const MaterialInput& materials, std::string_view offset);
 
 }  // namespace ctpbench

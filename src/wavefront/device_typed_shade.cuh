@@ -9,13 +9,14 @@ namespace ctpbench {
 
 // In place of materials, for paths that hit nothing.
 struct Outside {
+    template <class Offset>
     CTP_INLINE PathFate shade(const ShadeBuffers& io, std::uint32_t slot) const {
         return shade_miss(io, slot);
     }
 };
 
 // Paths of one key in a sorted index, or in a sorted list of positions in an index that keeps its order.
-template <class Shading>
+template <class Shading, class Offset>
 struct ShadeSortedRun {
     Shading shading;
     ShadeBuffers io;
@@ -25,12 +26,13 @@ struct ShadeSortedRun {
     __device__ std::uint32_t count() const { return offsets[1] - offsets[0]; }
     __device__ void operator()(std::uint32_t i) const {
         const std::uint32_t position = positions != nullptr ? positions[offsets[0] + i] : offsets[0] + i;
-        io.fates[position] = static_cast<std::uint8_t>(shading.shade(io, io.index[position]));
+        io.fates[position] =
+            static_cast<std::uint8_t>(shading.template shade<Offset>(io, io.index[position]));
     }
 };
 
 // Paths of one key in its queue; those that go on are kept.
-template <class Shading>
+template <class Shading, class Offset>
 struct ShadeQueue {
     Shading shading;
     ShadeBuffers io;
@@ -40,7 +42,7 @@ struct ShadeQueue {
 
     __device__ std::uint32_t count() const { return *length; }
     __device__ void operator()(std::uint32_t i) const {
-        const PathFate fate = shading.shade(io, slots[i]);
+        const PathFate fate = shading.template shade<Offset>(io, slots[i]);
         if (fate == PathFate::goes_on) survivors[next_place(survivor_count)] = slots[i];
         if (fate == PathFate::dropped) atomicAdd(dropped, 1u);
     }

@@ -12,6 +12,7 @@ namespace ctpbench {
 struct PlacedBatch {
     RayColumns rays;
     const std::uint32_t* index;
+    const std::uint32_t* excluded;  // null: no ray leaves out anything
     HitColumns first_hits;
     std::uint64_t first_hash = 0;  // 0: there are none yet
 };
@@ -30,7 +31,8 @@ PlacedBatches batches_in(const Place& place, const std::vector<Batch>& batches) 
     for (const Batch& batch : batches) {
         const std::size_t n = batch.rays.size();
         longest = std::max(longest, n);
-        placed.each.push_back({rays_in(place, n), place(batch.index.data(), n), hits_in(place, n)});
+        const std::uint32_t* excluded = batch.excluded.empty() ? nullptr : place(batch.excluded.data(), n);
+        placed.each.push_back({rays_in(place, n), place(batch.index.data(), n), excluded, hits_in(place, n)});
     }
     placed.hits = hits_in(place, longest);
     placed.differ = place.template reserve<std::uint32_t>(1);

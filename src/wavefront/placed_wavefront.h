@@ -37,6 +37,7 @@ struct PlacedWavefront {
     std::uint32_t* index[2];        // in turn
     const std::uint32_t* identity;  // 0, 1, 2, ...
     std::uint32_t* positions;       // the same sorted by key
+    std::uint32_t* excluded;        // by slot, what paths leave out; null until a pipeline asks for it
     std::uint32_t* copied;          // what the yardstick copies, and to where
     std::uint8_t *keys, *fates;
     std::uint32_t* queue_slots;
@@ -77,6 +78,12 @@ PlacedWavefront wavefront_in(const Place& place, const SceneView& scene, const F
     w.words = scene.words();
     w.words.of_triangle = place(w.words.of_triangle, g.triangle_count);
     return w;
+}
+
+// For pipelines whose paths leave out what they come from.
+template <class Place>
+void add_excluded(const Place& place, PlacedWavefront& w) {
+    if (w.excluded == nullptr) w.excluded = place.template reserve<std::uint32_t>(w.pixels);
 }
 
 }  // namespace ctpbench

@@ -93,8 +93,14 @@ TEST(Study, RefusesWhatMeansNothing) {
     EXPECT_EQ(error_of("stability", "\n\"stress\": [\"edgse\"]"),
               "t.json:2:12: error: /stress/0: unknown stress workload \"edgse\"; did you mean \"edges\"? "
               "choices: \"edges\", \"far_spheres\", \"leaving\"");
-    EXPECT_EQ(error_of("speed", "\n\"stress_rays\": 5"),
+    EXPECT_EQ(error_of("convergence", "\n\"stress_rays\": 5, \"matrix\": {\"shade\": \"ctp\"}"),
               "t.json:2:16: error: /stress_rays: means nothing in this study; remove it");
+    EXPECT_EQ(
+        error_of("speed", "\n\"stress_rays\": 5"),
+        "t.json:2:16: error: /stress_rays: means nothing without table \"pareto\"; remove it, or add that");
+    EXPECT_EQ(study("speed", R"("stress_rays": 5, "tables": ["pareto"])").stress_rays, 5u);
+    EXPECT_EQ(error_of("speed", "\n\"tables\": [\"pareto\"], \"matrix\": {\"shade\": \"ctp\"}"),
+              "t.json:2:12: error: /tables/0: needs recorded rays; add \"none\" to /matrix/shade");
     EXPECT_EQ(error_of("convergence", "\n\"samples\": 100, \"matrix\": {\"shade\": \"ctp\"}"),
               "t.json:2:12: error: /samples: must be a power of two: errors are taken after each doubling");
     EXPECT_EQ(error_of("convergence", "\n\"matrix\": {\"shade\": [\"none\", \"ctp\"]}"),

@@ -3,6 +3,7 @@
 #include "kernels/blend.h"
 #include "kernels/compact.h"
 #include "kernels/generate.h"
+#include "kernels/methods/exchanges.h"
 #include "kernels/registry.h"
 #include "kernels/sort.h"
 
@@ -28,8 +29,12 @@ void launch_strategies(const LayoutInput& input, const IntersectBuffers& io) {
 template <class Strategy>
 void launch_shade(const MaterialInput& materials, const ShadeBuffers& io, const ShadeWork& work) {
     const typename Strategy::Layout layout(materials);
-    Strategy::shade(layout.view(HostPlace{}), io, work,
-                    [](std::uint32_t count, const auto& kernel, auto...) { run<<<1, 1>>>(kernel, count); });
+    const auto launch = [](std::uint32_t count, const auto& kernel, auto...) {
+        run<<<1, 1>>>(kernel, count);
+    };
+    for_each_type(Offsets{}, [&](auto tag) {
+        Strategy::template shade<typename decltype(tag)::type>(layout.view(HostPlace{}), io, work, launch);
+    });
 }
 
 void instantiate(const MaterialInput& materials, const ShadeBuffers& shading, const ShadeWork& work) {
@@ -41,8 +46,20 @@ void instantiate(const MaterialInput& materials, const ShadeBuffers& shading, co
 }
 
 void instantiate(const LayoutInput& input, const IntersectBuffers& io) {
-    launch_strategies<Watertight>(input, io);
-    launch_strategies<PaperMethods>(input, io);
+    for_each_type(MethodBundles{},
+                  [&](auto tag) { launch_strategies<typename decltype(tag)::type>(input, io); });
+    const auto launch_ctp = [&](auto tag) {
+        using Methods = typename decltype(tag)::type;
+        const typename Ctp<Methods>::Layout layout(input);
+        Ctp<Methods>::intersect(
+            layout.view(HostPlace{}), io, true,
+            [](std::uint32_t count, const auto& kernel) { run<<<1, 1>>>(kernel, count); });
+    };
+    for_each_type(TriangleTests{}, [&](auto tag) {
+        for_each_type(TestsWithTriangle<typename decltype(tag)::type>{}, launch_ctp);
+    });
+    for_each_type(TestsWithSpheres{}, launch_ctp);
+    launch_ctp(TypeTag<ExcludingTests>{});
     run<<<1, 1>>>(GenerateKernel{}, 1);
     run<<<1, 1>>>(BlendKernel{}, 1);
     run<<<1, 1>>>(CompactCountKernel{}, 1);

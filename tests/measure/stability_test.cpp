@@ -43,7 +43,7 @@ Accuracy judge(const std::string& workload, const Make& make, const DepartureExa
     }
     Batch batch = stress_batch(backend(), rays, bed.workload().ray);
     RayExam exam(backend(), bed.judge(), bed.exact(), batch, [] {});
-    return exam.take(tracer, batch);
+    return exam.take(tracer);
 }
 
 // Workloads of offsets only if there is a policy.

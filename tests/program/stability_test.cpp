@@ -18,7 +18,8 @@ TEST_F(StabilityStudy, HasARowOfEveryMethodOnEveryWorkloadThatItMeets) {
         rows[row.at("workload")][row.at("kind") + "/" + row.at("method")] = row;
         EXPECT_EQ(row.at("rays"), "3000");
         for (const auto& [column, field] : row)
-            if (column != "p99_scaled_error") EXPECT_FALSE(field.empty()) << column;
+            EXPECT_EQ(field.empty(), column == "p99_scaled_error" && row.at("workload") == "leave_ball")
+                << column;
         EXPECT_EQ(row.at("not_finite"), "0");
         if (row.at("is_default") == "true") EXPECT_EQ(row.at("failures"), "0") << row.at("workload");
         ++count;

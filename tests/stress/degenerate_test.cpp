@@ -44,7 +44,7 @@ Verdict build_and_trace(const Scene& scene, const std::vector<Ray>& rays) {
                                    [&](std::uint32_t i) { return rays[i]; });
         const ExactTracer exact(judge, tree);
         RayExam exam(backend, judge, exact, batch, [] {});
-        const Accuracy accuracy = exam.take(tracer, batch);
+        const Accuracy accuracy = exam.take(tracer);
         EXPECT_EQ(accuracy.failures(), 0u) << builder.name << ": " << accuracy.verdict.text();
         verdict += accuracy.verdict;
     }

@@ -67,6 +67,41 @@ TEST_F(Cuda, HitsAreTheCpusBitForBit) {
         }
 }
 
+// Every test of geometry is IEEE operations alone, and no ray here is in the plane of a box's face, where
+// minima of the plain box test differ.
+TEST_F(Cuda, HitsOfAllMethodsAreTheCpusBitForBit) {
+    const Scene scene = test::soup(600, 200, 17);
+    test::Stage stage(scene, 2);
+    std::vector<Batch> batches{batch_of(scene, 20001)};
+    batches.push_back(batches[0]);
+    Batch &batch = batches[0], &leaving = batches[1];  // each ray leaves out what it would hit
+    const float extent = stage.view.geometry().extent;
+    CpuTracer first(stage.backend, *stage.intersector, extent);
+    first.trace(batch, true);
+    for (std::uint32_t i = 0; i < batch.rays.size(); ++i)
+        leaving.excluded.push_back(first.hits().view().primitive[i]);
+    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
+    const auto workload = make_cuda_workload(stage.view, layout, batches);
+    std::size_t compared = 0;
+    const auto compare = [&](const std::string& strategy, const std::string& key) {
+        const auto intersector = make_intersector(strategy, key, layout);
+        CpuTracer cpu(stage.backend, *intersector, extent);
+        for (Batch* b : {&batch, &leaving})
+            EXPECT_EQ(workload->tracer(strategy, key)->trace(*b, true).hash, cpu.trace(*b, true).hash)
+                << strategy << ", " << key << ", leaving out " << !b->excluded.empty();
+        ++compared;
+    };
+    for (const StrategyInfo& strategy : intersect_strategies())
+        for (const MethodsInfo& m : method_bundles()) compare(strategy.name, m.name);
+    for (const std::string& triangle : triangle_tests())
+        for (const std::string& sphere : sphere_tests())
+            for (const std::string& box : box_tests())
+                if (methods_obstacle("ctp", "watertight", triangle, sphere, box, own_part).empty())
+                    compare("ctp", intersect_methods("watertight", triangle, sphere, box, own_part));
+    compare("ctp", intersect_methods("watertight", own_part, own_part, own_part, "exclude_id"));
+    EXPECT_EQ(compared, intersect_strategies().size() * method_bundles().size() + 19 + 1);
+}
+
 TEST_F(Cuda, YardstickAgreesAlmostEverywhere) {
     const Scene scene = test::soup(3000, 0, 17);
     test::Stage stage(scene, 2);
@@ -125,6 +160,37 @@ TEST_F(Cuda, ImagesAreTheSameBitForBitAndTheCpusButForNoise) {
     }
     EXPECT_NEAR(sum / cpu_sum, 1.0, 0.003);
     EXPECT_LT(differing, image.size() / 20) << "largest difference " << worst;
+}
+
+// Whatever the offset, and with roulette, all strategies show the same image; it is the CPU's but for noise.
+TEST_F(Cuda, ImagesAreTheSameWithEveryOffsetAndWithRoulette) {
+    const Scene scene = test::motley();
+    test::Stage stage(scene, 2), excluding(scene, 2, "ctp", "watertight+exclude_id");
+    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
+    std::vector<Batch> none;
+    const auto workload = make_cuda_workload(stage.view, layout, none);
+    constexpr std::uint32_t samples = 16;
+    for (const std::string& offset : offsets())
+        for (const bool roulette : {false, true}) {
+            FrameSettings settings = kSettings;
+            if (roulette) settings.roulette_from = 2;
+            const std::string key = intersect_methods("watertight", own_part, own_part, own_part, offset);
+            std::uint64_t expected = 0;
+            ImageStorage image;
+            for (const std::string& shade : shade_strategies()) {
+                const auto pipeline = workload->pipeline("ctp", key, shade, CudaLaunch::concurrent,
+                                                         test::kMotleyCamera, settings, offset);
+                image = {};
+                for (std::uint32_t s = 0; s < samples; ++s) pipeline->frame(true, s, image, {});
+                if (expected == 0) expected = image.hash();
+                EXPECT_EQ(image.hash(), expected) << offset << ", " << shade << ", roulette " << roulette;
+            }
+            const test::Frames cpu = test::render(offset == "exclude_id" ? excluding : stage,
+                                                  test::kMotleyCamera, settings, samples, "ctp", {}, offset);
+            double sum = 0.0, cpu_sum = 0.0;
+            for (std::size_t i = 0; i < image.size(); ++i) sum += image.at(i).y, cpu_sum += cpu.image.at(i).y;
+            EXPECT_NEAR(sum / cpu_sum, 1.0, 0.01) << offset << ", roulette " << roulette;
+        }
 }
 
 // A frame that is watched bounce by bounce shows the same rays and hits as every other strategy's.

@@ -78,6 +78,8 @@ TEST(Offsets, OfAShareOfTheWayScalesWithTheScene) {
     for (const bool sphere : {false, true})
         for (const float scale : {1e-3f, 1.0f, 1e3f})
             EXPECT_LT(hits_again(sphere, scale, 0.0f, "relative_epsilon"), 1.0) << sphere << ", " << scale;
+    for (const bool sphere : {false, true})
+        EXPECT_GT(hits_again(sphere, 1.0f, 1e4f, "relative_epsilon"), 5.0);
 }
 
 // No triangle is hit again by a path that leaves it out, at any scale. Its neighbours may be, where

@@ -73,7 +73,9 @@ TEST(Roulette, WeighsSurvivorsByTheirProbability) {
         for (std::size_t i = 0; i < hit.size(); ++i) {
             if (!hit[i]) continue;
             const float light = frames.image.at(i).x;
-            if (light != 0.0f) ASSERT_FLOAT_EQ(light, albedo / probability);
+            if (light != 0.0f) {
+                ASSERT_FLOAT_EQ(light, albedo / probability);
+            }
             survivors.add(light != 0.0f ? 1.0 : 0.0);
         }
         EXPECT_GT(survivors.count(), 3000.0);

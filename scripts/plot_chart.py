@@ -1,0 +1,75 @@
+"""What all charts share: their look, and how they are saved."""
+
+import csv
+
+import matplotlib
+from matplotlib import pyplot
+
+from plot_inputs import count, number, scene_title
+
+# Okabe and Ito's colours, with grey and white for their black, told apart by eyes of every kind; the hatch (of
+# bars) and the marker (of points) tell them apart in print.
+COLOURS = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#999999", "#FFFFFF"]
+HATCHES = ["", "///", "...", "xxx", "\\\\\\", "---", "ooo", "|||", "+++"]
+# Of lines and points on white, where neither yellow nor white would do.
+LINE_COLOURS = [*COLOURS[:6], "#000000", "#999999"]
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">"]
+
+STYLE = {"font.size": 10, "axes.titlesize": 10, "axes.spines.top": False, "axes.spines.right": False,
+         "hatch.linewidth": 0.5, "svg.hashsalt": "ctpbench"}
+
+
+def distinct(values):
+    return list(dict.fromkeys(values))
+
+
+def short(value):
+    return f"{value:,.0f}" if value >= 99.95 else f"{value:#.3g}"
+
+
+def style_of(names):
+    """The look of each name, by its place in the list."""
+    return {name: {"facecolor": COLOURS[i % len(COLOURS)], "hatch": HATCHES[i % len(HATCHES)],
+                   "edgecolor": "black", "linewidth": 0.5} for i, name in enumerate(names)}
+
+
+def workload_title(path, row):
+    """Of a row that names a scene and its spheres."""
+    spheres = number(path, row, "spheres")
+    return scene_title(path, row) + (f", {count(spheres)} spheres" if spheres else "")
+
+
+class Chart:
+    """A grid of panels, the figures that they show, and the same in words. `heights` are shares of the rows."""
+
+    def __init__(self, name, title, across, down, panel_size, heights=None):
+        self.name, self.title, self.data, self.words = name, title, [], []
+        self.figure, self.panels = pyplot.subplots(down, across, squeeze=False, layout="constrained",
+                                                   gridspec_kw={"height_ratios": heights},
+                                                   figsize=(across * panel_size[0], down * panel_size[1] + 0.6))
+        self.figure.suptitle(title)
+
+    def legend(self, names, looks):
+        handles = [matplotlib.patches.Patch(label=name, **looks[name]) for name in names]
+        self.figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), frameon=False,
+                           ncol=min(len(names), 5), handlelength=2.5, handleheight=1.2)
+
+    def save(self, folder):
+        described = {"Title": self.title, "Description": self.title + ". " + " ".join(self.words)}
+        svg, png, data = (folder / (self.name + end) for end in (".svg", ".png", "_data.csv"))
+        self.figure.savefig(svg, bbox_inches="tight", metadata=dict(described, Date=None))
+        self.figure.savefig(png, bbox_inches="tight", dpi=150, metadata=described)
+        pyplot.close(self.figure)
+        with open(data, "w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, self.data[0].keys(), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(self.data)
+        return [svg, png, data]
+
+
+def whisker(value, lo, hi):
+    """Lengths below and above; an interval of medians holds its median but for rounding."""
+    return None if lo is None else [[max(value - lo, 0)], [max(hi - value, 0)]]
+
+
+WHISKER = {"ecolor": "black", "capsize": 2.5, "error_kw": {"elinewidth": 1}}

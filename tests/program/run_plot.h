@@ -1,0 +1,40 @@
+// Runs scripts/plot in a test's folder; skips where this machine cannot draw.
+#pragma once
+
+#include <cstdlib>
+
+#include "run_program.h"
+
+namespace ctpbench::test {
+
+class PlotTest : public ProgramTest {
+protected:
+    void SetUp() override {
+        ProgramTest::SetUp();
+        if (std::system("/usr/bin/python3 -c 'import matplotlib' 2>/dev/null") != 0)
+            GTEST_SKIP() << "needs matplotlib for /usr/bin/python3: apt-get install python3-matplotlib";
+    }
+    Outcome plot(const std::string& arguments) const {
+        return run_shell("cd '" + folder_.string() + "'; '" CTPBENCH_SOURCE_DIR "/scripts/plot' " +
+                         arguments);
+    }
+    void expect_refused(const std::string& arguments, const std::string& reason) const {
+        const Outcome outcome = plot(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+        EXPECT_NE(outcome.output.find(reason), std::string::npos) << outcome.output;
+        EXPECT_EQ(outcome.output.find("Traceback"), std::string::npos) << outcome.output;
+    }
+    void expect_chart(const std::string& name) const {
+        EXPECT_EQ(read(folder_ / (name + ".png")).substr(1, 3), "PNG") << name;
+        EXPECT_NE(read(folder_ / (name + ".svg")).find("</svg>"), std::string::npos) << name;
+        EXPECT_TRUE(std::filesystem::exists(folder_ / (name + "_data.csv"))) << name;
+    }
+    // The SVG's description holds these words.
+    void expect_words(const std::string& name, const std::string& words) const {
+        const std::string svg = read(folder_ / (name + ".svg"));
+        EXPECT_NE(svg.find(words), std::string::npos)
+            << "no \"" << words << "\" in " << svg.substr(0, svg.find("<defs>"));
+    }
+};
+
+}  // namespace ctpbench::test
