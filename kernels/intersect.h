@@ -64,6 +64,8 @@ enum class Pass {
 // Traversal: trivially copyable, with closest_hit(const RayContext<Methods>&, Hit&) const.
 template <class Methods, class Traversal, Pass pass = Pass::first>
 struct IntersectKernel {
+    static constexpr bool float64 = Methods::float64;
+
     Traversal traversal;
     IntersectBuffers io;
 

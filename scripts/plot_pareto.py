@@ -124,8 +124,8 @@ def draw_errors(panel, points, looks):
 
 def set_axes(panel, points, heights):
     """Room at the right and below for the names on the front."""
-    speeds = [p.speed for p in points] + [p.speed_hi for p in points if p.speed_hi is not None]
-    lowest = min(p.speed for p in points)
+    speeds = [v for p in points for v in (p.speed, p.speed_lo, p.speed_hi) if v is not None]
+    lowest = min(speeds)
     room = max(max(speeds) - lowest, 0.05 * max(speeds))
     panel.set_xlim(max(0, lowest - 0.1 * room), max(speeds) + 0.55 * room)
     panel.set_yscale("log")

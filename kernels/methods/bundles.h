@@ -19,6 +19,8 @@ struct Tests {
     static constexpr bool exact = std::is_same_v<TriangleTest, WatertightTriangle> &&
                                   !std::is_same_v<SphereTest, TextbookSphere> &&
                                   std::is_same_v<BoxTest, PaddedBox>;
+    static constexpr bool float64 =
+        std::is_same_v<TriangleTest, MoellerTrumbore64> || std::is_same_v<SphereTest, StableSphere64>;
     static constexpr bool excludes = false;  // whether a ray leaves out the primitive that it comes from
 };
 

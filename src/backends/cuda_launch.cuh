@@ -20,8 +20,16 @@ inline constexpr std::uint32_t kBlockThreads = 128;
 #define CTPBENCH_MIN_BLOCKS 8
 #endif
 
+// Blocks that must fit on a multiprocessor at once, which bounds the registers of a thread. Numbers in
+// float64 take two each: a kernel that says it computes in them has room for fewer blocks, or it would spill.
 template <class Kernel>
-__global__ void __launch_bounds__(kBlockThreads, CTPBENCH_MIN_BLOCKS)
+constexpr int min_blocks() {
+    if constexpr (requires { Kernel::float64; }) return Kernel::float64 ? 6 : CTPBENCH_MIN_BLOCKS;
+    return CTPBENCH_MIN_BLOCKS;
+}
+
+template <class Kernel>
+__global__ void __launch_bounds__(kBlockThreads, min_blocks<Kernel>())
     for_each_kernel(const __grid_constant__ Kernel kernel, const __grid_constant__ DeviceCount count) {
     const std::uint32_t i = blockIdx.x * kBlockThreads + threadIdx.x;
     if (i < count.get()) kernel(i);

@@ -25,7 +25,7 @@ double slope_without(const std::vector<std::vector<double>>& relmse, std::size_t
 
 }  // namespace
 
-Interval rmse_slope(const std::vector<std::vector<double>>& relmse) {
+BoundedValue rmse_slope(const std::vector<std::vector<double>>& relmse) {
     if (relmse.empty() || relmse.front().size() < 2) return {};
     const double whole = slope_without(relmse, relmse.size());
     if (!std::isfinite(whole)) return {};

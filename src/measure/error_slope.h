@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "measure/interval.h"
+#include "measure/bounded_value.h"
 
 namespace ctpbench {
 
@@ -12,6 +12,6 @@ namespace ctpbench {
 // same number of doublings of each, two points at least; RMSE is the root of the mean over seeds. The images
 // of one seed contain each other, so scatter about the line says nothing: the interval is the jackknife's
 // over seeds. NaN where a mean is not positive.
-Interval rmse_slope(const std::vector<std::vector<double>>& relmse);
+BoundedValue rmse_slope(const std::vector<std::vector<double>>& relmse);
 
 }  // namespace ctpbench

@@ -11,7 +11,7 @@ void ImageBias::add(const ImageStorage& image) {
     ++images_;
 }
 
-Interval ImageBias::relmse(const ReferenceImage& reference) const {
+BoundedValue ImageBias::relmse(const ReferenceImage& reference) const {
     if (images_ < 2) return {};
     const double n = static_cast<double>(images_);
     std::vector<double> pixels(reference.pixels());

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "measure/interval.h"
+#include "measure/bounded_value.h"
 #include "measure/reference_image.h"
 
 namespace ctpbench {
@@ -22,7 +22,7 @@ public:
     // different images: unbiased, since I, J and the halves A, B are independent. May be below zero where
     // there is no bias. Pixels draw random numbers of their own, so the interval is that of a mean over
     // independent pixels; it also holds what the reference contributes. NaN with fewer than two images.
-    Interval relmse(const ReferenceImage& reference) const;
+    BoundedValue relmse(const ReferenceImage& reference) const;
 
 private:
     std::size_t images_ = 0;

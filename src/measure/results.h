@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "config/cells.h"
+#include "measure/bounded_value.h"
 #include "measure/exam.h"
-#include "measure/interval.h"
 
 namespace ctpbench {
 
@@ -43,7 +43,7 @@ struct KernelSeries {
 // How the error of a contender's pictures falls. By seed, then by k: after 2^k samples per pixel.
 struct Convergence {
     std::vector<std::vector<double>> seconds, relmse;
-    Interval bias;  // squared and relative, as relMSE is: what remains of it after any number of samples
+    BoundedValue bias;  // squared and relative, as relMSE is: what remains of it after any number of samples
 };
 
 // One contender on one workload.

@@ -40,7 +40,7 @@ Estimate estimate_paired_ratio(const std::vector<double>& a, const std::vector<d
     return estimate_median(ratios);
 }
 
-Proportion binomial_interval(std::size_t count, std::size_t trials) {
+Interval binomial_interval(std::size_t count, std::size_t trials) {
     const double n = static_cast<double>(trials), p = static_cast<double>(count) / n;
     constexpr double z = 1.959963984540054;
     const double center = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);

@@ -25,10 +25,10 @@ Estimate estimate_paired_ratio(const std::vector<double>& a, const std::vector<d
 // interval ("Probable Inference, the Law of Succession, and Statistical Inference", J. Am. Stat. Assoc.
 // 22(158), 1927), but for none, which is reported as at most 3 / trials (Hanley & Lippman-Hand, "If Nothing
 // Goes Wrong, Is Everything All Right?", JAMA 249(13), 1983), and likewise for all.
-struct Proportion {
+struct Interval {
     double lo = 0.0, hi = 1.0;
 };
-Proportion binomial_interval(std::size_t count, std::size_t trials);
+Interval binomial_interval(std::size_t count, std::size_t trials);
 
 // The value of nearest rank: the smallest one that at least this share of the values does not exceed. NaN
 // values do not count; NaN if there are no others.

@@ -25,7 +25,7 @@ Fields contender_fields(const Config& config, const CellResult& cell) {
             c.backend,
             c.strategy + (c.restart_carries_t ? "" : "_fresh_t"),
             c.shade,
-            intersect_methods(c.methods, c.triangle_test, c.sphere_test, c.box_test, c.offset),
+            intersect_methods(c.methods, c.triangle_test, c.sphere_test, c.box_test, of_bundle),
             offset_of(c.methods, c.offset),
             std::to_string(c.bounce_limit != 0 ? c.bounce_limit : config.bounces),
             c.roulette ? "true" : "false"};
@@ -53,7 +53,7 @@ std::string convergence_csv(const Config& config, const Results& results) {
         if (!cell.valid || c.relmse.empty()) continue;
         for (std::size_t k = 0; k < c.relmse.front().size(); ++k) {
             const Estimate seconds = estimate_median(after(c.seconds, k));
-            const Interval relmse = mean_interval(after(c.relmse, k));
+            const BoundedValue relmse = mean_interval(after(c.relmse, k));
             out += line(contender_fields(config, cell),
                         {std::to_string(c.relmse.size()), std::to_string(std::size_t{1} << k),
                          csv_number(seconds.median), csv_number(seconds.lo), csv_number(seconds.hi),
@@ -70,7 +70,7 @@ std::string convergence_fits_csv(const Config& config, const Results& results) {
     for (const CellResult& cell : results.cells) {
         const Convergence& c = cell.convergence;
         if (!cell.valid || c.relmse.empty()) continue;
-        const Interval slope = rmse_slope(c.relmse);
+        const BoundedValue slope = rmse_slope(c.relmse);
         out += line(contender_fields(config, cell),
                     {csv_number(slope.value), csv_number(slope.lo), csv_number(slope.hi),
                      csv_number(c.bias.value), csv_number(c.bias.lo), csv_number(c.bias.hi)});

@@ -34,7 +34,7 @@ std::string pareto_csv(const Config& config, const Results& results) {
         const Contender& c = cell.contender;
         const Estimate speed = throughput_of(&cell);
         const std::size_t rays = cell.accuracy->verdict.rays, failures = cell.accuracy->failures();
-        const Proportion share = binomial_interval(failures, rays);
+        const Interval share = binomial_interval(failures, rays);
         const bool beaten =
             std::any_of(results.cells.begin(), results.cells.end(), [&](const CellResult& other) {
                 return is_shown(config, other) && other.workload == cell.workload &&

@@ -48,7 +48,7 @@ StabilityFile::StabilityFile(const std::filesystem::path& folder)
 void StabilityFile::append(const StabilityRow& row) {
     const Verdict& v = row.accuracy.verdict;
     const std::size_t failures = row.accuracy.failures();
-    const Proportion interval = binomial_interval(failures, v.rays);
+    const Interval interval = binomial_interval(failures, v.rays);
     const auto count = [](std::size_t n) { return std::to_string(n); };
     file_.append({{row.kind, row.method, row.is_default ? "true" : "false", row.workload, count(v.rays),
                    count(failures), csv_number(per_million(row)), csv_number(1e6 * interval.lo),

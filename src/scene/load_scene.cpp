@@ -125,6 +125,7 @@ void add_mesh(Scene& scene, const SceneFile& file, const FoundMesh& found, Notic
 void add_recipe(Scene& scene, const SceneFile& file) {
     scene.source = SceneSource::stand_in;
     find_recipe(file.recipe->name)->build(scene.mesh, scene.materials, file.recipe->seed);
+    for (Vec3& position : scene.mesh.positions) position = position + file.recipe->origin;
     scene.camera = file.camera ? *file.camera : framing_camera(scene_bounds(scene));
     apply_overrides(file.overrides, scene.materials);
 }

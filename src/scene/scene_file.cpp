@@ -50,6 +50,7 @@ void read_geometry(const JsonObject& root, const JsonDocument& document, SceneFi
     scene.recipe.emplace();
     json.require("name", scene.recipe->name, names);
     json.get("seed", scene.recipe->seed);
+    json.get("origin", scene.recipe->origin);
 }
 
 void read_spheres(const JsonObject& json, SphereSettings& spheres) {

@@ -18,8 +18,6 @@ CudaPipeline::CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr
       settings_(settings),
       ambient_(scene.ambient()) {
     if (shader_->excludes() && !intersector_.excludes()) trap();  // every hit would be suspect
-    if (shader_->excludes() && wavefront_.excluded.size() == 0)
-        wavefront_.excluded = DeviceArray<std::uint32_t>(wavefront_.pixels);
     for (std::uint32_t k = 0; k < shader_->kernels(); ++k)
         if (const char* name = shader_->kernel_name(k)) part_names_[k] = std::string("shade_") + name;
 }

@@ -14,7 +14,7 @@ TEST(RmseSlope, OfAPowerLawIsItsExponent) {
     std::vector<std::vector<double>> relmse(8);
     for (auto& of_seed : relmse)
         for (int k = 0; k <= 7; ++k) of_seed.push_back(3.0 * std::pow(2.0, -0.8 * k));
-    const Interval slope = rmse_slope(relmse);
+    const BoundedValue slope = rmse_slope(relmse);
     EXPECT_NEAR(slope.value, -0.4, 1e-12);
     EXPECT_NEAR(slope.lo, -0.4, 1e-12);
     EXPECT_NEAR(slope.hi, -0.4, 1e-12);
@@ -37,7 +37,7 @@ std::vector<std::vector<double>> errors(std::uint64_t seed, double bias) {
 TEST(RmseSlope, OfIndependentSamplesIsMinusOneHalf) {
     int covered = 0;
     for (std::uint64_t i = 0; i < 10; ++i) {
-        const Interval slope = rmse_slope(errors(100 * i, 0.0));
+        const BoundedValue slope = rmse_slope(errors(100 * i, 0.0));
         EXPECT_NEAR(slope.value, -0.5, 0.03);
         EXPECT_LT(slope.hi - slope.lo, 0.06);
         covered += slope.lo <= -0.5 && -0.5 <= slope.hi;
@@ -46,7 +46,7 @@ TEST(RmseSlope, OfIndependentSamplesIsMinusOneHalf) {
 }
 
 TEST(RmseSlope, IsFlattenedByABias) {
-    const Interval slope = rmse_slope(errors(1, 0.2));
+    const BoundedValue slope = rmse_slope(errors(1, 0.2));
     EXPECT_GT(slope.lo, -0.45);
     EXPECT_LT(slope.hi, -0.05);
 }

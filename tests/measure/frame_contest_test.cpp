@@ -35,6 +35,13 @@ private:
     mutable int frames_ = 0;
 };
 
+// A cell of the default methods.
+CellResult default_cell() {
+    CellResult cell;
+    cell.contender.methods = "watertight";
+    return cell;
+}
+
 class FrameContestTest : public testing::Test {
 protected:
     FrameContestTest()
@@ -55,7 +62,7 @@ protected:
     }
     CellResult verdict_on(std::unique_ptr<Shader> contender) {
         FrameContest judged = contest();
-        CellResult first, cell;
+        CellResult first = default_cell(), cell = default_cell();
         FrameEntrant reference = entrant(0, shader("ctp")), other = entrant(0, std::move(contender));
         judged.verify(reference, first);
         EXPECT_TRUE(first.valid) << first.reason;
@@ -89,10 +96,29 @@ TEST_F(FrameContestTest, RejectsOtherHitsAndSaysFromWhere) {
     EXPECT_EQ(cell.reason, "hits differ from the first contender's, from bounce 1 on");
 }
 
+// Rays that a poor offset leaves on a surface have no right answer; they are compared among contenders alone.
+TEST_F(FrameContestTest, JudgesCameraRaysAloneWhereAnOffsetIsPoor) {
+    if (!oracle_) GTEST_SKIP() << "needs an oracle";
+    std::size_t judged_rays[2];
+    for (const bool poor : {false, true}) {
+        FrameContest judged = contest();
+        CellResult first = default_cell(), other = default_cell();
+        if (poor) first.contender.offset = other.contender.offset = "constant_epsilon";
+        FrameEntrant one = entrant(0, shader("ctp"));
+        FrameEntrant two = entrant(0, std::make_unique<Broken>(shader("ctp"), Broken::What::paths));
+        judged.verify(one, first), judged.verify(two, other);
+        EXPECT_TRUE(first.valid) << first.reason;
+        EXPECT_FALSE(other.valid);
+        judged_rays[poor] = first.verdict.rays;
+    }
+    EXPECT_GT(judged_rays[1], 0u);
+    EXPECT_GT(judged_rays[0], judged_rays[1]);
+}
+
 TEST_F(FrameContestTest, NoticesAnImageThatDiffersInARoundOnly) {
     FrameContest judged = contest();
     Results results;
-    results.cells.resize(2);
+    results.cells.assign(2, default_cell());
     std::vector<FrameEntrant> entrants;
     entrants.push_back(entrant(0, shader("ctp")));
     // Sound while it is verified and in the first round.
@@ -109,7 +135,7 @@ TEST_F(FrameContestTest, NoticesAnImageThatDiffersInARoundOnly) {
 TEST_F(FrameContestTest, ARoundIsASampleAndTimesEveryStage) {
     FrameContest judged = contest();
     Results results;
-    results.cells.resize(2);
+    results.cells.assign(2, default_cell());
     std::vector<FrameEntrant> entrants;
     entrants.push_back(entrant(0, shader("ctp")));
     entrants.push_back(entrant(1, shader("sort")));

@@ -29,7 +29,7 @@ TEST(ImageBias, IsFoundFarBelowTheNoise) {
     double sum = 0.0;
     int covered = 0;
     for (std::uint64_t i = 0; i < 20; ++i) {
-        const Interval found = bias_of(10 + 20 * i, 1, bias).relmse(reference(20 + 20 * i));
+        const BoundedValue found = bias_of(10 + 20 * i, 1, bias).relmse(reference(20 + 20 * i));
         sum += found.value;
         covered += found.lo <= truth && truth <= found.hi;
     }
@@ -42,7 +42,7 @@ TEST(ImageBias, IsFoundFarBelowTheNoise) {
 TEST(ImageBias, OfAnUnbiasedRendererHoldsZero) {
     int covered = 0;
     for (std::uint64_t i = 0; i < 60; ++i) {
-        const Interval found = bias_of(1000 + 20 * i, 2, 0.0).relmse(reference(1010 + 20 * i));
+        const BoundedValue found = bias_of(1000 + 20 * i, 2, 0.0).relmse(reference(1010 + 20 * i));
         covered += found.lo <= 0.0 && 0.0 <= found.hi;
         EXPECT_LT(found.hi, 0.03 * relmse_of(0.02));  // of the error of one image
     }

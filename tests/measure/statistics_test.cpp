@@ -76,7 +76,7 @@ TEST(RoundOrder, VisitsEveryoneOnceAndFavoursNobody) {
 
 TEST(BinomialInterval, HoldsKnownValues) {
     // Wilson's interval of 10 in 100 (e.g. Newcombe, Stat. Med. 17, 1998, method 3).
-    const Proportion i = binomial_interval(10, 100);
+    const Interval i = binomial_interval(10, 100);
     EXPECT_NEAR(i.lo, 0.0552, 1e-4);
     EXPECT_NEAR(i.hi, 0.1744, 1e-4);
     EXPECT_EQ(binomial_interval(0, 1000).lo, 0.0);
@@ -91,7 +91,7 @@ TEST(BinomialInterval, CoversNineteenInTwenty) {
     std::binomial_distribution<int> events(500, 0.02);
     int covered = 0;
     for (int i = 0; i < 4000; ++i) {
-        const Proportion in = binomial_interval(static_cast<std::size_t>(events(engine)), 500);
+        const Interval in = binomial_interval(static_cast<std::size_t>(events(engine)), 500);
         covered += in.lo <= 0.02 && 0.02 <= in.hi;
     }
     EXPECT_NEAR(covered / 4000.0, 0.95, 0.02);

@@ -95,6 +95,19 @@ TEST_F(LoadScene, BuildsARecipe) {
     EXPECT_ERROR(load(), ExitCode::scene_missing, "procedural");
 }
 
+TEST_F(LoadScene, MovesARecipeToItsOrigin) {
+    request.name = "r";
+    write("one/r.json", scene_text(R"("recipe": {"name": "smoke"})"));
+    const Scene here = load();
+    write("one/r.json", scene_text(R"("recipe": {"name": "smoke", "origin": [10000, 0, -5]})"));
+    const Scene there = load();
+    ASSERT_EQ(here.mesh.positions.size(), there.mesh.positions.size());
+    for (std::size_t i = 0; i < here.mesh.positions.size(); ++i)
+        ASSERT_EQ(there.mesh.positions[i], here.mesh.positions[i] + Vec3(10000.0f, 0.0f, -5.0f)) << i;
+    EXPECT_NE(here.content_hash, there.content_hash);
+    EXPECT_NEAR(there.camera.eye.x, here.camera.eye.x + 10000.0f, 0.01f);  // which frames the scene
+}
+
 TEST_F(LoadScene, SearchesTheFoldersInOrder) {
     const std::string one_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     write("home/.cache/ctpbench/scenes/a/a.obj", one_triangle + "f 1 2 3\nf 1 2 3\n");

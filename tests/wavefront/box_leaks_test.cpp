@@ -45,7 +45,7 @@ Mesh grid_cube() {
 
 // Rays per million that a loop finds and the tree with these boxes does not.
 double lost(const Scene& scene, RayStorage& rays, const std::string& box) {
-    test::Stage stage(scene, 2, "ctp", intersect_methods("watertight", own_part, own_part, box, own_part));
+    test::Stage stage(scene, 2, "ctp", intersect_methods("watertight", of_bundle, of_bundle, box, of_bundle));
     std::vector<std::uint32_t> slots(rays.size());
     for (std::uint32_t i = 0; i < slots.size(); ++i) slots[i] = i;
     Batch batch = record_batch(0, rays.view(), slots, 0);

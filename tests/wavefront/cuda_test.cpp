@@ -96,9 +96,9 @@ TEST_F(Cuda, HitsOfAllMethodsAreTheCpusBitForBit) {
     for (const std::string& triangle : triangle_tests())
         for (const std::string& sphere : sphere_tests())
             for (const std::string& box : box_tests())
-                if (methods_obstacle("ctp", "watertight", triangle, sphere, box, own_part).empty())
-                    compare("ctp", intersect_methods("watertight", triangle, sphere, box, own_part));
-    compare("ctp", intersect_methods("watertight", own_part, own_part, own_part, "exclude_id"));
+                if (methods_obstacle("ctp", "watertight", triangle, sphere, box, of_bundle).empty())
+                    compare("ctp", intersect_methods("watertight", triangle, sphere, box, of_bundle));
+    compare("ctp", intersect_methods("watertight", of_bundle, of_bundle, of_bundle, "exclude_id"));
     EXPECT_EQ(compared, intersect_strategies().size() * method_bundles().size() + 19 + 1);
 }
 
@@ -174,7 +174,7 @@ TEST_F(Cuda, ImagesAreTheSameWithEveryOffsetAndWithRoulette) {
         for (const bool roulette : {false, true}) {
             FrameSettings settings = kSettings;
             if (roulette) settings.roulette_from = 2;
-            const std::string key = intersect_methods("watertight", own_part, own_part, own_part, offset);
+            const std::string key = intersect_methods("watertight", of_bundle, of_bundle, of_bundle, offset);
             std::uint64_t expected = 0;
             ImageStorage image;
             for (const std::string& shade : shade_strategies()) {

@@ -12,7 +12,7 @@ namespace {
 
 std::string obstacle(const std::string& strategy, const std::string& bundle, const std::string& triangle,
                      const std::string& sphere, const std::string& box,
-                     const std::string& offset = own_part) {
+                     const std::string& offset = of_bundle) {
     return methods_obstacle(strategy, bundle, triangle, sphere, box, offset);
 }
 
@@ -29,20 +29,20 @@ TEST(Methods, BundlesNameTheirParts) {
         EXPECT_TRUE(has(offsets(), m.offset)) << m.name;
         EXPECT_EQ(methods_exact(m.name), m.exact);
         EXPECT_EQ(m.exact, m.name == "watertight") << m.name;
-        EXPECT_EQ(offset_of(m.name, own_part), m.offset);
+        EXPECT_EQ(offset_of(m.name, of_bundle), m.offset);
     }
 }
 
 TEST(Methods, KeysNameTheBundleWithTheseTestsElseTheTests) {
     const auto key = [](const std::string& bundle, const std::string& triangle, const std::string& sphere,
-                        const std::string& box, const std::string& offset = own_part) {
+                        const std::string& box, const std::string& offset = of_bundle) {
         return intersect_methods(bundle, triangle, sphere, box, offset);
     };
-    EXPECT_EQ(key("paper", own_part, own_part, own_part), "paper");
-    EXPECT_EQ(key("watertight", "pluecker", own_part, own_part), "pluecker+stable+padded");
+    EXPECT_EQ(key("paper", of_bundle, of_bundle, of_bundle), "paper");
+    EXPECT_EQ(key("watertight", "pluecker", of_bundle, of_bundle), "pluecker+stable+padded");
     EXPECT_EQ(key("paper", "woop", "stable", "padded"), "watertight");
-    EXPECT_EQ(key("watertight", own_part, own_part, own_part, "constant_epsilon"), "watertight");
-    EXPECT_EQ(key("watertight", own_part, own_part, own_part, "exclude_id"), "watertight+exclude_id");
+    EXPECT_EQ(key("watertight", of_bundle, of_bundle, of_bundle, "constant_epsilon"), "watertight");
+    EXPECT_EQ(key("watertight", of_bundle, of_bundle, of_bundle, "exclude_id"), "watertight+exclude_id");
     EXPECT_TRUE(methods_exact("watertight+exclude_id"));
     EXPECT_TRUE(methods_exact("woop+stable_f64+padded"));
     EXPECT_FALSE(methods_exact("woop+textbook+padded"));
@@ -51,20 +51,20 @@ TEST(Methods, KeysNameTheBundleWithTheseTestsElseTheTests) {
 }
 
 TEST(Methods, WhatIsNotBuiltIsRefusedWithAReason) {
-    EXPECT_EQ(obstacle("restart", "float64", own_part, own_part, own_part), "");
-    EXPECT_EQ(obstacle("restart", "paper", own_part, own_part, own_part, "relative_epsilon"), "");
-    EXPECT_NE(obstacle("restart", "watertight", "pluecker", own_part, own_part).find("\"ctp\""),
+    EXPECT_EQ(obstacle("restart", "float64", of_bundle, of_bundle, of_bundle), "");
+    EXPECT_EQ(obstacle("restart", "paper", of_bundle, of_bundle, of_bundle, "relative_epsilon"), "");
+    EXPECT_NE(obstacle("restart", "watertight", "pluecker", of_bundle, of_bundle).find("\"ctp\""),
               std::string::npos);
-    EXPECT_NE(obstacle("ctp", "watertight", "pluecker", "textbook", own_part).find("not built together"),
+    EXPECT_NE(obstacle("ctp", "watertight", "pluecker", "textbook", of_bundle).find("not built together"),
               std::string::npos);
-    EXPECT_EQ(obstacle("ctp", "watertight", own_part, own_part, own_part, "exclude_id"), "");
-    EXPECT_NE(obstacle("oop", "watertight", own_part, own_part, own_part, "exclude_id").find("\"ctp\""),
+    EXPECT_EQ(obstacle("ctp", "watertight", of_bundle, of_bundle, of_bundle, "exclude_id"), "");
+    EXPECT_NE(obstacle("oop", "watertight", of_bundle, of_bundle, of_bundle, "exclude_id").find("\"ctp\""),
               std::string::npos);
-    EXPECT_NE(obstacle("ctp", "paper", own_part, own_part, own_part, "exclude_id").find("\"watertight\""),
+    EXPECT_NE(obstacle("ctp", "paper", of_bundle, of_bundle, of_bundle, "exclude_id").find("\"watertight\""),
               std::string::npos);
-    EXPECT_NE(obstacle("ctp", "watertight", "plucker", own_part, own_part).find("did you mean \"pluecker\""),
+    EXPECT_NE(obstacle("ctp", "watertight", "plucker", of_bundle, of_bundle).find("did you mean \"pluecker\""),
               std::string::npos);
-    EXPECT_NE(obstacle("ctp", "watertigt", own_part, own_part, own_part).find("\"watertight\""),
+    EXPECT_NE(obstacle("ctp", "watertigt", of_bundle, of_bundle, of_bundle).find("\"watertight\""),
               std::string::npos);
 }
 
@@ -100,7 +100,7 @@ TEST(Methods, AllWithoutObstacleTrace) {
                 for_restart += obstacle("restart", "watertight", triangle, sphere, box).empty();
                 if (!obstacle("ctp", "watertight", triangle, sphere, box).empty()) continue;
                 ++for_ctp;
-                const std::string key = intersect_methods("watertight", triangle, sphere, box, own_part);
+                const std::string key = intersect_methods("watertight", triangle, sphere, box, of_bundle);
                 HitStorage hits = trace(*make_intersector("ctp", key, input));
                 std::uint32_t different = 0;
                 for (std::uint32_t i = 0; i < rays; ++i)

@@ -9,7 +9,7 @@
 namespace ctpbench {
 
 // All NaN where there are too few values to tell.
-struct Interval {
+struct BoundedValue {
     double value = std::numeric_limits<double>::quiet_NaN();
     double lo = std::numeric_limits<double>::quiet_NaN();
     double hi = std::numeric_limits<double>::quiet_NaN();
@@ -24,12 +24,12 @@ double student_t(std::size_t degrees);
 
 // The mean with Student's interval. With fewer than kFewestValues values it has no bounds; with none it is
 // NaN.
-Interval mean_interval(const std::vector<double>& values);
+BoundedValue mean_interval(const std::vector<double>& values);
 
 // A statistic of n independent items that is no plain mean, by the jackknife (Efron and Tibshirani, An
 // Introduction to the Bootstrap, 1993, ch. 11): `without(i)` is the statistic with item i left out, `whole`
 // that of all. It has no bounds where there are fewer than kFewestValues items.
-Interval jackknife_interval(double whole, std::size_t items,
-                            const std::function<double(std::size_t)>& without);
+BoundedValue jackknife_interval(double whole, std::size_t items,
+                                const std::function<double(std::size_t)>& without);
 
 }  // namespace ctpbench

@@ -1,4 +1,4 @@
-#include "measure/interval.h"
+#include "measure/bounded_value.h"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ double squares_about(const std::vector<double>& values, double center) {
     return sum;
 }
 
-Interval about(double value, double standard_error, std::size_t items) {
+BoundedValue about(double value, double standard_error, std::size_t items) {
     const double half = student_t(items - 1) * standard_error;
     return {value, value - half, value + half};
 }
@@ -33,18 +33,18 @@ double student_t(std::size_t degrees) {
     return z + (first + (second + third / n) / n) / n;
 }
 
-Interval mean_interval(const std::vector<double>& values) {
+BoundedValue mean_interval(const std::vector<double>& values) {
     if (values.empty()) return {};
     const double n = static_cast<double>(values.size()), mean = mean_of(values);
-    Interval interval;
+    BoundedValue interval;
     interval.value = mean;
     if (values.size() < kFewestValues) return interval;
     return about(mean, std::sqrt(squares_about(values, mean) / (n - 1.0) / n), values.size());
 }
 
-Interval jackknife_interval(double whole, std::size_t items,
-                            const std::function<double(std::size_t)>& without) {
-    Interval interval;
+BoundedValue jackknife_interval(double whole, std::size_t items,
+                                const std::function<double(std::size_t)>& without) {
+    BoundedValue interval;
     interval.value = whole;
     if (items < kFewestValues) return interval;
     std::vector<double> values(items);

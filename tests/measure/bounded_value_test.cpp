@@ -1,4 +1,4 @@
-#include "measure/interval.h"
+#include "measure/bounded_value.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(MeanInterval, NeedsValues) {
     EXPECT_TRUE(std::isnan(mean_interval({}).value));
     EXPECT_EQ(mean_interval({1, 2, 6}).value, 3.0);
     EXPECT_TRUE(std::isnan(mean_interval({1, 2, 6}).lo));
-    const Interval four = mean_interval({1, 2, 3, 4});
+    const BoundedValue four = mean_interval({1, 2, 3, 4});
     EXPECT_EQ(four.value, 2.5);
     EXPECT_NEAR(four.hi - four.value, 3.182 * std::sqrt(5.0 / 3.0 / 4.0), 0.03);
     EXPECT_DOUBLE_EQ(four.hi - four.value, four.value - four.lo);
@@ -35,7 +35,7 @@ TEST(MeanInterval, CoversTheMeanInNinetyFiveOfAHundred) {
     for (int i = 0; i < 2000; ++i) {
         std::vector<double> values(8);
         for (double& v : values) v = normal(random);
-        const Interval interval = mean_interval(values);
+        const BoundedValue interval = mean_interval(values);
         covered += interval.lo <= 5.0 && 5.0 <= interval.hi;
     }
     EXPECT_NEAR(covered / 2000.0, 0.95, 0.02);
@@ -44,8 +44,8 @@ TEST(MeanInterval, CoversTheMeanInNinetyFiveOfAHundred) {
 // Of a mean, the jackknife is Student's interval.
 TEST(JackknifeInterval, OfAMeanIsItsInterval) {
     const std::vector<double> values = {3, 1, 4, 1, 5, 9, 2, 6};
-    const Interval mean = mean_interval(values);
-    const Interval jackknife = jackknife_interval(
+    const BoundedValue mean = mean_interval(values);
+    const BoundedValue jackknife = jackknife_interval(
         mean.value, values.size(), [&](std::size_t i) { return (8.0 * mean.value - values[i]) / 7.0; });
     EXPECT_NEAR(jackknife.lo, mean.lo, 1e-12);
     EXPECT_NEAR(jackknife.hi, mean.hi, 1e-12);
