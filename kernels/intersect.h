@@ -42,6 +42,18 @@ struct IntersectBuffers {
     const std::uint32_t* excluded = nullptr;
 };
 
+// Where there is nothing to hit.
+struct MissKernel {
+    IntersectBuffers io;
+
+    CTP_HD void operator()(std::uint32_t i) const {
+        const std::uint32_t slot = io.index[i];
+        const Hit miss = no_hit(io.rays.load(slot));
+        io.hits.store(slot, miss);
+        io.keys.record(i, slot, miss);
+    }
+};
+
 // What a later pass does with the hits of the one before.
 enum class Pass {
     first,  // there are none

@@ -21,6 +21,7 @@
 #include "report/summary.h"
 #include "report/tables.h"
 #include "run_context.h"
+#include "stability_study.h"
 #include "wavefront/forest.h"
 #include "wavefront/methods.h"
 #include "wavefront/shader.h"
@@ -55,12 +56,13 @@ public:
           progress_(options.quiet),
           rows_(prepared(folder_, config), id_, config.experiment, backend_.threads()),
           context_{config_, folder_, backend_, progress_, rows_, results_, options.quiet} {
+        if (config.study == Study::stability) stability_.emplace(folder_);
         write_meta("running");
         if (!options.notice.empty()) context_.note(options.notice);
     }
 
     ExitCode run(const std::vector<WorkloadCells>& workloads) {
-        if (config_.measure && embree_version().empty())
+        if (config_.measure && !stability_ && embree_version().empty())
             context_.note(
                 "this program was built without Embree: hits are compared among contenders, but no oracle "
                 "checks them");
@@ -80,8 +82,9 @@ public:
         write_meta(code == ExitCode::interrupted ? "interrupted" : "complete");
         if (code == ExitCode::interrupted)
             progress_.note("interrupted: what was measured is in " + folder_.string());
-        if (!options_.quiet)
-            std::printf("%s\nresults: %s\n", table_text(config_, results_).c_str(), folder_.string().c_str());
+        const std::string table =
+            stability_ ? stability_text(stability_rows_) : table_text(config_, results_);
+        if (!options_.quiet) std::printf("%s\nresults: %s\n", table.c_str(), folder_.string().c_str());
         return code;
     }
 
@@ -172,6 +175,7 @@ private:
 
     void run_workload(const WorkloadCells& cells) {
         stop_if_interrupted();
+        if (stability_) return run_stability_study(context_, cells, *stability_, stability_rows_);
         const Scene scene = load(cells.workload);
         const char* source = scene.source == SceneSource::mesh ? "mesh" : "stand-in";
         SceneResult& in_results = results_.scenes.emplace_back();
@@ -217,6 +221,8 @@ private:
     Results results_;
     RowsFile rows_;
     RunContext context_;
+    std::optional<StabilityFile> stability_;  // of a stability study
+    std::vector<StabilityRow> stability_rows_;
     std::string triangles_of_;
     std::shared_ptr<const Tree> triangles_;
 };
@@ -239,6 +245,7 @@ KnownNames known_names() {
     };
     names.traversals = {"single"};
     names.studies = {"speed", "stability", "convergence"};
+    names.stress = known_stress();
     return names;
 }
 

@@ -40,6 +40,9 @@ void list(const CommandLine& line) {
     print_names("builders", names.builders);
     print_names("backends", names.backends);
     print_names("launches", names.launches);
+    std::vector<std::string> stress;
+    for (const KnownNames::Stress& s : names.stress) stress.push_back(s.name);
+    print_names("stress workloads", stress);
     const std::string obstacle = cuda_obstacle(line.device);
     std::printf("cuda: %s\n", obstacle.empty() ? "usable" : obstacle.c_str());
 }

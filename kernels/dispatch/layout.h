@@ -36,10 +36,13 @@ struct LayoutInput {
     GeometryView geometry;
 };
 
-// For strategies that need one pass only.
+// For strategies that need one pass only. A tree over nothing has no root to start from.
 template <class Methods, class View, class ForEach>
 void intersect_in_one_pass(const View& view, const IntersectBuffers& io, ForEach&& for_each) {
-    for_each(io.count, IntersectKernel<Methods, View>{view, io});
+    if (view.nodes == nullptr)
+        for_each(io.count, MissKernel{io});
+    else
+        for_each(io.count, IntersectKernel<Methods, View>{view, io});
 }
 
 }  // namespace ctpbench

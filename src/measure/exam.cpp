@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "backends/cpu.h"
+#include "kernels/methods/lists.h"
 #include "measure/statistics.h"
 
 namespace ctpbench {
@@ -90,9 +91,18 @@ DepartureExam::DepartureExam(CpuBackend& backend, const Judge& judge, const Exac
     });
 }
 
-Accuracy DepartureExam::take(BatchTracer& tracer, const Policy& policy) {
+Batch DepartureExam::batch(const Policy& policy) const {
     const auto n = static_cast<std::uint32_t>(departures_.size());
-    Batch batch = stress_batch(backend_, n, [&](std::uint32_t i) { return policy(departures_[i]); });
+    Batch batch = stress_batch(backend_, n, [&](std::uint32_t i) {
+        const Departure& d = departures_[i];
+        return Ray{policy(d), d.direction, std::numeric_limits<float>::infinity()};
+    });
+    for (const Departure& d : departures_) batch.excluded.push_back(d.primitive);
+    return batch;
+}
+
+Accuracy DepartureExam::take(BatchTracer& tracer, Batch& batch) const {
+    const auto n = static_cast<std::uint32_t>(departures_.size());
     tracer.trace(batch, true);
     const HitColumns hits = tracer.hits().view();
     const RayColumns rays = batch.rays.view();
@@ -130,6 +140,17 @@ void DepartureExam::judge_path(const Departure& path, const ExactClosest& truth,
         ++verdict.wrong_primitive;
     else
         ++(hit.primitive == truth.primitive ? verdict.match : verdict.tie);
+}
+
+DepartureExam::Policy offset_policy(const std::string& offset) {
+    DepartureExam::Policy policy;
+    for_each_type(Offsets{}, [&](auto tag) {
+        using Offset = typename decltype(tag)::type;
+        if (offset == Offset::name)
+            policy = [](const Departure& d) { return Offset::origin(d.point, d.normal, d.direction, d.t); };
+    });
+    if (!policy) trap();
+    return policy;
 }
 
 }  // namespace ctpbench

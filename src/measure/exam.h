@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "oracle/exact_tracer.h"
@@ -27,10 +28,10 @@ using SafePoint = std::function<void()>;
 // Rays 0 to n - 1 as a batch.
 Batch stress_batch(CpuBackend& backend, std::uint32_t n, const std::function<Ray(std::uint32_t)>& ray);
 
-// Closest hits of rays.
+// Closest hits of rays. What it is made from must outlive it.
 class RayExam {
 public:
-    // Traces the batch exactly; all must outlive the exam.
+    // Traces the batch exactly.
     RayExam(CpuBackend& backend, const Judge& judge, const ExactTracer& exact, Batch& batch,
             const SafePoint& safe_point);
 
@@ -44,23 +45,23 @@ private:
 };
 
 // Paths that leave surfaces: their rays are formed by a policy of offsets, the truth is that of the ideal
-// path.
+// path. What it is made from must outlive it.
 class DepartureExam {
 public:
-    // Forms a policy's ray.
-    using Policy = std::function<Ray(const Departure&)>;
+    // Where a policy starts the ray.
+    using Policy = std::function<Vec3(const Departure&)>;
 
-    // Traces n ideal paths of the workload exactly; all must outlive the exam.
+    // Traces n ideal paths of the workload exactly.
     DepartureExam(CpuBackend& backend, const Judge& judge, const ExactTracer& exact,
                   const StressWorkload& workload, std::uint32_t n, const SafePoint& safe_point);
 
     // A self-hit, where the ideal path hits nothing or far later, is a false hit; nothing where it hits
     // something is missed; another surface than the ideal path's is a wrong primitive. The error of t is not
     // judged: an offset moves every hit.
-    Accuracy take(BatchTracer& tracer, const Policy& policy);
+    Accuracy take(BatchTracer& tracer, Batch& batch) const;
 
-    // The ids that paths start on, for tracers that leave them out.
-    std::uint32_t start(std::uint32_t i) const { return departures_[i].primitive; }
+    // The rays of a policy, each with the primitive that it starts on: methods that exclude leave that out.
+    Batch batch(const Policy& policy) const;
 
 private:
     void judge_path(const Departure& path, const ExactClosest& truth, const Ray& ray, const Hit& hit,
@@ -72,5 +73,8 @@ private:
     std::vector<Departure> departures_;
     std::vector<ExactClosest> truth_;
 };
+
+// The policy of one of offsets() (wavefront/methods.h).
+DepartureExam::Policy offset_policy(const std::string& offset);
 
 }  // namespace ctpbench

@@ -23,6 +23,7 @@ public:
 
     template <class T>
     const T* operator()(const T* array, std::size_t n) const {
+        if (n == 0) return nullptr;  // as of an empty tree
         T* p = reserve<T>(n);
         upload(p, array, n);
         return p;
