@@ -96,7 +96,7 @@ TEST_F(ContestTest, NoticesHitsThatChangeBetweenRuns) {
     results.cells.resize(2);
     std::vector<Entrant> entrants;
     entrants.push_back({0, traces(*ctp_), true, recorded_hits, true, {}});
-    entrants.push_back({1, traces(broken), true, false, false, {}});
+    entrants.push_back({1, traces(broken), true, {}, false, {}});
     for (Entrant& e : entrants) contest.verify(e, results.cells[e.cell]);
     results.cells[1].valid = true;
     contest.round(0, entrants, results, [] { return false; });

@@ -2,6 +2,7 @@
 // them, with the watertight triangle test behind each.
 #include <gtest/gtest.h>
 
+#include "config/axes.h"
 #include "kernels/methods/rays_at_meshes.h"
 #include "wavefront/cpu_tracer.h"
 #include "wavefront/frames.h"

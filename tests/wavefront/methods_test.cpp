@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/axes.h"
 #include "support.h"
 #include "wavefront/frames.h"
 #include "wavefront/methods.h"
