@@ -250,8 +250,6 @@ KnownNames known_names() {
 }
 
 ExitCode run_experiment(const Config& config, const std::vector<Cell>& cells, const RunOptions& options) {
-    if (config.study == Study::stability)
-        throw Error(ExitCode::usage, "/study: error: this program has no study of stability");
     const bool on_cuda = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
         return cell.contender && cell.contender->backend == "cuda";
     });
