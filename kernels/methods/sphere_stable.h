@@ -39,8 +39,10 @@ struct StableSphere {
         // Not the root of length^2 times the discriminant: that underflows in small scenes.
         const float root = setup.length * std::sqrt(discriminant);
         const float q = b < 0.0f ? b - root : b + root;
-        const float t0 = (dot(f, f) - rr) / q;
-        const float t1 = q * setup.inv_dd;
+        const float t1 = q * setup.inv_dd;  // the root that is larger in magnitude
+        // Where the ray starts on the sphere and grazes it, numerator and q are both rounding: without the
+        // bound that t1 gives, the point reported would lie tens of ulps off the sphere.
+        const float t0 = min(max((dot(f, f) - rr) / q, -absolute(t1)), absolute(t1));
         const float near = min(t0, t1);
         const float t = near > 0.0f ? near : max(t0, t1);
         if (hit.accepts(t, id)) hit = {t, id, 0.0f, 0.0f};

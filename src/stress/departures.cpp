@@ -42,8 +42,11 @@ Departure leave(const GeometryView& geometry, const Ray& came, const Hit& hit, r
 Departure leave_triangle(const GeometryView& geometry, std::uint32_t id, Side side, float reach,
                          recipe::Random& random) {
     const TriangleShape s = geometry.triangle(id);
-    float u = random.between(1e-4f, 1.0f), v = random.between(1e-4f, 1.0f);
-    if (u + v > 0.9999f) u = 1.0001f - u, v = 1.0001f - v;
+    // Inside by a ten-thousandth of its size at each edge, so that the offset of the point does not decide on
+    // which side of a neighbour it is.
+    float u = random.unit(), v = random.unit();
+    if (u + v > 1.0f) u = 1.0f - u, v = 1.0f - v;
+    u = 1e-4f + 0.9997f * u, v = 1e-4f + 0.9997f * v;
     const Vec3 outward = normalize(cross(s.b - s.a, s.c - s.a));
     const bool outer = side == Side::outer || (side == Side::either && random.below(2) == 0);
     const Vec3 from = direction_about(outer ? outward : -outward, random.between(0.1f, 1.0f), random.unit());

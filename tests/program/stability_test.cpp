@@ -21,7 +21,9 @@ TEST_F(StabilityStudy, HasARowOfEveryMethodOnEveryWorkloadThatItMeets) {
             EXPECT_EQ(field.empty(), column == "p99_scaled_error" && row.at("workload") == "leave_ball")
                 << column;
         EXPECT_EQ(row.at("not_finite"), "0");
-        if (row.at("is_default") == "true") EXPECT_EQ(row.at("failures"), "0") << row.at("workload");
+        if (row.at("is_default") == "true") {
+            EXPECT_EQ(row.at("failures"), "0") << row.at("workload");
+        }
         ++count;
     }
 #ifdef CTPBENCH_EMBREE
