@@ -63,8 +63,9 @@ TEST(Methods, WhatIsNotBuiltIsRefusedWithAReason) {
               std::string::npos);
     EXPECT_NE(obstacle("ctp", "paper", of_bundle, of_bundle, of_bundle, "exclude_id").find("\"watertight\""),
               std::string::npos);
-    EXPECT_NE(obstacle("ctp", "watertight", "plucker", of_bundle, of_bundle).find("did you mean \"pluecker\""),
-              std::string::npos);
+    EXPECT_NE(
+        obstacle("ctp", "watertight", "plucker", of_bundle, of_bundle).find("did you mean \"pluecker\""),
+        std::string::npos);
     EXPECT_NE(obstacle("ctp", "watertigt", of_bundle, of_bundle, of_bundle).find("\"watertight\""),
               std::string::npos);
 }
