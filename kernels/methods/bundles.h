@@ -36,8 +36,9 @@ struct PaperMethods : Tests<MoellerTrumbore, TextbookSphere, PlainBox> {
     using Offset = ConstantEpsilon;
 };
 
-// The least arithmetic: what a renderer does that takes leaks for speed.
-struct FastMethods : Tests<MoellerTrumbore, StableSphere, PlainBox> {
+// What a renderer does that takes leaks for speed. The padded box is faster than the plain one: its planes are
+// sign-indexed and cost a fused multiply-add each.
+struct FastMethods : Tests<MoellerTrumbore, StableSphere, PaddedBox> {
     static constexpr const char* name = "fast";
     using Offset = WaechterBinder;
 };

@@ -27,6 +27,9 @@ std::string meta_json(const Config& config, const Results& results, const std::s
     for (const CellResult& c : results.cells)
         if (c.checked && c.verdict.rays > 0)
             verdicts[c.workload.name() + "/" + c.contender.label()] = c.verdict.text();
+    nlohmann::json exams = nlohmann::json::object();
+    for (const CellResult& c : results.cells)
+        if (c.accuracy) exams[c.workload.name() + "/" + c.contender.label()] = c.accuracy->verdict.text();
     nlohmann::json gpu;
     if (device != nullptr)
         gpu = {{"device", device->number},
@@ -54,6 +57,7 @@ std::string meta_json(const Config& config, const Results& results, const std::s
         {"scenes", scenes},
         {"trees", trees},
         {"oracle", verdicts},
+        {"exams", exams},
         {"notices", results.notices},
         {"peak_memory_bytes", peak_memory_bytes()},
     };
