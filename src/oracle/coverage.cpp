@@ -99,6 +99,28 @@ std::vector<SeenTriangle> joined_triangles(const GeometryView& geometry, const M
     return found;
 }
 
+constexpr double kTurn = 2.0 * 3.14159265358979323846;
+
+// The directions, ascending, in which edges cross the circle about the ray.
+std::vector<double> crossings(const std::vector<SeenTriangle>& triangles, double radius) {
+    std::vector<double> angles;
+    for (const SeenTriangle& t : triangles)
+        for (int k = 0; k < 3; ++k) {
+            // |a + s e|^2 = radius^2
+            const Seen &a = t.corner[k], &b = t.corner[(k + 1) % 3];
+            const double ex = b.x - a.x, ey = b.y - a.y, ee = ex * ex + ey * ey;
+            const double middle = ee > 0.0 ? -(a.x * ex + a.y * ey) / ee : 0.0;
+            const double mx = a.x + middle * ex, my = a.y + middle * ey;
+            const double rest = radius * radius - mx * mx - my * my;
+            if (!(ee > 0.0 && rest > 0.0)) continue;
+            const double half = std::sqrt(rest / ee);
+            for (const double s : {middle - half, middle + half})
+                if (s >= 0.0 && s <= 1.0) angles.push_back(std::atan2(a.y + s * ey, a.x + s * ex));
+        }
+    std::sort(angles.begin(), angles.end());
+    return angles;
+}
+
 }  // namespace
 
 bool surface_covers(const GeometryView& geometry, const MeshAdjacency& adjacency, std::uint32_t id,
@@ -108,11 +130,15 @@ bool surface_covers(const GeometryView& geometry, const MeshAdjacency& adjacency
         return std::any_of(joined.begin(), joined.end(),
                            [&](const SeenTriangle& t) { return covers(t, x, y, radius); });
     };
-    constexpr int kDirections = 16;
-    for (int i = 0; i < kDirections; ++i) {
-        const double angle = 2.0 * 3.14159265358979323846 * (i + 0.37) / kDirections;
-        if (!covered(radius * std::cos(angle), radius * std::sin(angle))) return false;
+    // What covers the circle changes only where an edge crosses it, so a point between each two crossings
+    // tells all: a gap seen nearly edge-on may be as narrow as it likes.
+    const std::vector<double> angles = crossings(joined, radius);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + kTurn;
+        const double between = 0.5 * (angles[i] + next);
+        if (!covered(radius * std::cos(between), radius * std::sin(between))) return false;
     }
+    if (angles.empty() && !covered(radius, 0.0)) return false;
     return covered(0.0, 0.0);
 }
 

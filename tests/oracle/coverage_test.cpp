@@ -40,6 +40,15 @@ TEST(Coverage, AClosedFanCoversItsCenterAndAnOpenOneDoesNot) {
     for (std::uint32_t id = 0; id < 5; ++id) EXPECT_FALSE(covered(fan(0.5f, 1), id, {0, 0, 5}, {0, 0, -1}));
 }
 
+// A doorway's corner seen along the wall: all that is missing is a sector of two degrees.
+TEST(Coverage, AGapSeenNearlyEdgeOnIsAGap) {
+    const Vec3 along = normalize(Vec3{1.0f, 0.2f, -0.03f});
+    for (std::uint32_t id = 0; id < 5; ++id) {
+        EXPECT_FALSE(covered(fan(0.0f, 1), id, -5.0f * along, along));
+        EXPECT_TRUE(covered(fan(0.0f, 0), id, -5.0f * along, along));
+    }
+}
+
 TEST(Coverage, AnEdgeOfTwoIsCoveredAndARimIsNot) {
     const Scene scene = fan(0.5f, 1);
     EXPECT_TRUE(covered(scene, 0, {0.25f, 0.4330127f, 5}, {0, 0, -1})) << "between the first and the second";

@@ -13,8 +13,13 @@
 namespace ctpbench {
 namespace {
 
-constexpr std::uint32_t kMillion = 1'000'000;
-constexpr double kSeconds = 60.0;  // a build takes one or two; sanitizers and a busy machine take more
+// A million, a tenth of that under sanitizers. Time is bounded by the test's limit; what takes more than
+// linear memory or depth shows in the tree.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr std::uint32_t kMany = 100'000;
+#else
+constexpr std::uint32_t kMany = 1'000'000;
+#endif
 
 void add(Scene& scene, Vec3 a, Vec3 b, Vec3 c) {
     const auto first = static_cast<std::uint32_t>(scene.mesh.positions.size());
@@ -34,7 +39,6 @@ Verdict build_and_trace(const Scene& scene, const std::vector<Ray>& rays) {
                                            [](const std::string&, double) {});
         const Tree& tree = *forest.mixed;
         const std::size_t n = view.geometry().size();
-        EXPECT_LT(tree.build_seconds, kSeconds) << builder.name;
         EXPECT_LE(tree.refs.size(), 2 * n);
         EXPECT_LE(tree.nodes.size(), 2 * tree.refs.size() + 1);
         EXPECT_LE(tree.depth, kMaxTreeDepth);
@@ -70,8 +74,8 @@ Scene empty_scene() {
 TEST(Degenerate, AMillionCoincidentTriangles) {
     Scene scene = empty_scene();
     scene.mesh.positions = {{0, 0, 0}, {1, 0, 0.5f}, {0, 1, 0.25f}};
-    scene.mesh.triangles.assign(kMillion, {0, 1, 2});
-    scene.mesh.material.assign(kMillion, 0);
+    scene.mesh.triangles.assign(kMany, {0, 1, 2});
+    scene.mesh.material.assign(kMany, 0);
     build_and_trace(scene, rays_at({0.25f, 0.25f, 0.1875f}, 8, 2.0f));
 }
 
@@ -79,9 +83,9 @@ TEST(Degenerate, AMillionDuplicatesOfAMesh) {
     Scene scene = empty_scene();
     const Mesh star = test::star(1, 1.0f, {0, 0, 0}, 4);
     scene.mesh.positions = star.positions;
-    for (std::uint32_t i = 0; i < kMillion; ++i)
+    for (std::uint32_t i = 0; i < kMany; ++i)
         scene.mesh.triangles.push_back(star.triangles[i % star.triangles.size()]);
-    scene.mesh.material.assign(kMillion, 0);
+    scene.mesh.material.assign(kMany, 0);
     build_and_trace(scene, rays_at(scene.mesh.positions[0] * 0.3f, 8, 0.2f));
 }
 
