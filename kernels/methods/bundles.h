@@ -36,8 +36,8 @@ struct PaperMethods : Tests<MoellerTrumbore, TextbookSphere, PlainBox> {
     using Offset = ConstantEpsilon;
 };
 
-// What a renderer does that takes leaks for speed. The padded box is faster than the plain one: its planes are
-// sign-indexed and cost a fused multiply-add each.
+// What a renderer does that takes leaks for speed. The padded box is faster than the plain one: its planes
+// are sign-indexed and cost a fused multiply-add each.
 struct FastMethods : Tests<MoellerTrumbore, StableSphere, PaddedBox> {
     static constexpr const char* name = "fast";
     using Offset = WaechterBinder;
