@@ -37,9 +37,14 @@ void list(const CommandLine& line) {
     print_names("shade strategies", names.shades);
     print_names("traversals", names.traversals);
     print_names("methods", names.methods);
+    print_names("triangle tests", names.triangle_tests);
+    print_names("sphere tests", names.sphere_tests);
+    print_names("box tests", names.box_tests);
+    print_names("offsets", names.offsets);
     print_names("builders", names.builders);
     print_names("backends", names.backends);
     print_names("launches", names.launches);
+    print_names("studies", names.studies);
     std::vector<std::string> stress;
     for (const KnownNames::Stress& s : names.stress) stress.push_back(s.name);
     print_names("stress workloads", stress);
