@@ -58,7 +58,7 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string unknof_bundle(const std::string& what, const std::string& name, std::vector<std::string> known) {
+std::string unknown_part(const std::string& what, const std::string& name, std::vector<std::string> known) {
     known.push_back(of_bundle);
     return has(known, name) ? "" : unknown_name(what, name, known);
 }
@@ -88,9 +88,9 @@ std::string methods_obstacle(const std::string& strategy, const std::string& bun
     if (!has(strategies, strategy)) return unknown_name("strategy", strategy, strategies);
     if (!has(bundles, bundle)) return unknown_name("methods", bundle, bundles);
     for (const std::string& why :
-         {unknof_bundle("triangle test", triangle_test, triangle_tests()),
-          unknof_bundle("sphere test", sphere_test, sphere_tests()),
-          unknof_bundle("box test", box_test, box_tests()), unknof_bundle("offset", offset, offsets())})
+         {unknown_part("triangle test", triangle_test, triangle_tests()),
+          unknown_part("sphere test", sphere_test, sphere_tests()),
+          unknown_part("box test", box_test, box_tests()), unknown_part("offset", offset, offsets())})
         if (!why.empty()) return why;
 
     const Parts parts = parts_of(bundle, triangle_test, sphere_test, box_test, offset);

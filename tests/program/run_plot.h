@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdlib>
+#include <initializer_list>
+#include <string>
 
 #include "run_program.h"
 
@@ -28,6 +30,15 @@ protected:
         EXPECT_EQ(read(folder_ / (name + ".png")).substr(1, 3), "PNG") << name;
         EXPECT_NE(read(folder_ / (name + ".svg")).find("</svg>"), std::string::npos) << name;
         EXPECT_TRUE(std::filesystem::exists(folder_ / (name + "_data.csv"))) << name;
+    }
+    // Of charts that the folder's files give.
+    void expect_same_bytes_again(std::initializer_list<std::string> names) const {
+        ASSERT_EQ(plot(". --out a").exit_code, 0);
+        ASSERT_EQ(plot(". --out b").exit_code, 0);
+        for (const std::string& name : names)
+            for (const char* end : {".svg", ".png", "_data.csv"})
+                EXPECT_TRUE(read(folder_ / "a" / (name + end)) == read(folder_ / "b" / (name + end)))
+                    << name << end;
     }
     // The SVG's description holds these words.
     void expect_words(const std::string& name, const std::string& words) const {

@@ -2,6 +2,7 @@
 // and how near they can be trusted.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernels/methods/lists.h"
@@ -38,6 +39,29 @@ TYPED_TEST(SphereTest, TiesGoToTheLowestId) {
     Hit hit = no_hit(ray);
     for (const std::uint32_t id : {7u, 3u, 9u}) TypeParam::intersect(shape, id, TypeParam::setup(ray), hit);
     EXPECT_EQ(hit.primitive, 3u);
+}
+
+// Rays that start on the sphere along its tangent: origin and both roots are rounding, but what is reported
+// lies on the sphere.
+TEST(StableSphere, AGrazingStartIsReportedOnTheSphere) {
+    Random random(5);
+    const auto shape = StableSphere::shape({{0, 0, 0}, 1});
+    double worst = 0.0;
+    for (int i = 0; i < 200000; ++i) {
+        const Vec3 origin = random.direction();
+        const Vec3 d = normalize(cross(origin, random.direction())) - random.uniform(0, 1e-4f) * origin;
+        const Ray ray = {origin, 3.0f * d, kInfinity};
+        Hit hit = no_hit(ray);
+        StableSphere::intersect(shape, 0, StableSphere::setup(ray), hit);
+        if (hit.primitive != 0) continue;
+        double rr = 0.0;
+        for (int a = 0; a < 3; ++a) {
+            const double p = double{ray.origin[a]} + double{hit.t} * double{ray.direction[a]};
+            rr += p * p;
+        }
+        worst = std::max(worst, std::fabs(std::sqrt(rr) - 1.0));
+    }
+    EXPECT_LT(worst, 16 * 0x1p-24);
 }
 
 struct Wrong {
