@@ -13,7 +13,7 @@ struct BlendKernel {
     std::uint8_t*
         clamped;  // by pixel: whether the sample was no number, infinite or negative, and counts as 0
 
-    CTP_HD void operator()(std::uint32_t i) const {
+    CTP_INLINE void operator()(std::uint32_t i) const {
         Vec3 light = pixels.radiance(i);
         constexpr float largest = std::numeric_limits<float>::max();
         const bool sound = light.x >= 0.0f && light.x <= largest && light.y >= 0.0f && light.y <= largest &&

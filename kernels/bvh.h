@@ -11,6 +11,9 @@ namespace ctpbench {
 // traversal stack of this many entries cannot overflow.
 inline constexpr std::uint32_t kMaxTreeDepth = 64;
 
+// A leaf word has room for this many types.
+inline constexpr std::uint32_t kLeafTypes = 256;
+
 // An inner node's children are nodes `first` and `first + 1`. A leaf holds `count()` consecutive
 // entries from `first` on; `type()` is meaningful in trees built with single-type leaves.
 struct alignas(32) BvhNode {

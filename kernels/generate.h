@@ -32,7 +32,7 @@ struct GenerateKernel {
     std::uint32_t* index;
     std::uint32_t* excluded = nullptr;  // by slot, what a ray leaves out: nothing; null: nobody asks
 
-    CTP_HD void operator()(std::uint32_t i) const {
+    CTP_INLINE void operator()(std::uint32_t i) const {
         const Random4 r = random4(seed, i, sample, 0, Dimension::camera);
         const float x = 2.0f * (static_cast<float>(i % width) + r.v[0]) / static_cast<float>(width) - 1.0f;
         const float y = 1.0f - 2.0f * (static_cast<float>(i / width) + r.v[1]) / static_cast<float>(height);

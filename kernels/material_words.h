@@ -1,10 +1,13 @@
 // Which material a primitive has: one word per triangle, and one for all spheres. The word names the
-// material's type too, so that paths can be sorted by type without a look at the material itself.
+// material's type too, so that paths can be sorted by type without a look at the material itself. Types are
+// counted among those that the contender is compiled for.
 #pragma once
 
 #include <cstdint>
 
 #include "materials/list.h"
+#include "ray.h"
+#include "synthetic/types.h"
 
 namespace ctpbench {
 
@@ -24,14 +27,22 @@ struct MaterialWords {
     const MaterialWord* of_triangle;
     std::uint32_t triangle_count;
     MaterialWord of_spheres;
+    std::uint32_t types;  // how many there are
 
     CTP_INLINE MaterialWord of(std::uint32_t primitive) const {
         return primitive < triangle_count ? of_triangle[primitive] : of_spheres;
     }
+    // What paths are told apart by before shading: the type of the material hit, or that nothing was hit.
+    CTP_INLINE std::uint32_t miss_key() const { return types; }
+    CTP_INLINE std::uint32_t keys() const { return types + 1; }
+    CTP_INLINE std::uint32_t key_of(const Hit& hit) const {
+        return hit.primitive == kNoPrimitive ? miss_key() : of(hit.primitive).type();
+    }
 };
 
-// What paths are told apart by before shading: the type of the material hit, or that nothing was hit.
-inline constexpr std::uint32_t kMissKey = Materials::size;
-inline constexpr std::uint32_t kShadeKeys = Materials::size + 1;
+// No contender is compiled for more types.
+inline constexpr std::uint32_t kMaxMaterialTypes = kMaxSyntheticTypes;
+inline constexpr std::uint32_t kMaxShadeKeys = kMaxMaterialTypes + 1;
+static_assert(Materials::size <= kMaxMaterialTypes);
 
 }  // namespace ctpbench

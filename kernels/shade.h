@@ -69,7 +69,7 @@ struct ShadeAnyKernel {
     Table table;
     ShadeBuffers io;
 
-    CTP_HD void operator()(std::uint32_t i) const {
+    CTP_INLINE void operator()(std::uint32_t i) const {
         const std::uint32_t slot = io.index[i];
         const Hit hit = io.hits.load(slot);
         const PathFate fate = hit.primitive == kNoPrimitive

@@ -16,9 +16,10 @@ struct Surface {
 CTP_INLINE Surface surface_at(const GeometryView& geometry, const Ray& ray, const Hit& hit) {
     Surface s;
     if (hit.primitive < geometry.first_sphere()) {
-        const TriangleShape t = geometry.triangle(hit.primitive);
-        const Vec3 e1 = t.b - t.a, e2 = t.c - t.a;
-        s.point = t.a + (hit.u * e1 + hit.v * e2);
+        const auto& corners = geometry.triangles[hit.primitive];
+        const Vec3 a = geometry.positions[corners[0]];
+        const Vec3 e1 = geometry.positions[corners[1]] - a, e2 = geometry.positions[corners[2]] - a;
+        s.point = a + (hit.u * e1 + hit.v * e2);
         s.normal = normalize(cross(e1, e2));
     } else {
         const SphereShape sphere = geometry.spheres[hit.primitive - geometry.first_sphere()];

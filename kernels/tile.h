@@ -21,7 +21,8 @@ static_assert(1u << kTileSteps == kTileThreads);
 
 CTP_INLINE std::uint32_t tile_count(std::uint32_t count) { return (count + kTile - 1) / kTile; }
 
-// Counts of up to five keys in one word, 12 bits each: a tile holds 2048 entries.
+// Counts of up to five keys in one word, 12 bits each: a tile holds 2048 entries. tile_wide.h is for more.
+inline constexpr std::uint32_t kPackedKeys = 5;
 struct PackedCounts {
     CTP_INLINE static std::uint64_t one(std::uint32_t key) { return std::uint64_t{1} << (12 * key); }
     CTP_INLINE static std::uint32_t of(std::uint64_t packed, std::uint32_t key) {
@@ -30,8 +31,9 @@ struct PackedCounts {
 };
 
 // What a byte beside each entry stands for. `written` keys are moved; the rest is only counted.
+template <std::uint32_t key_count>
 struct ByShadeKey {
-    static constexpr std::uint32_t keys = kShadeKeys, written = kShadeKeys;
+    static constexpr std::uint32_t keys = key_count, written = key_count;
     CTP_INLINE static std::uint32_t key(std::uint8_t byte) { return byte; }
 };
 struct ByFate {
@@ -46,7 +48,7 @@ struct ByFate {
 // The entries, as both kernels see them.
 template <class By>
 struct TileInput {
-    static_assert(By::keys <= 5);
+    static_assert(By::keys <= kPackedKeys);
     const std::uint8_t* bytes;
     const std::uint32_t* count;  // how many entries there are
     std::uint32_t* places;       // [key][tile], tiles being those of *count: counts, then where they begin
@@ -141,12 +143,14 @@ struct TileMove {
 };
 
 // One block: turns the counts into places, in place, and says where each key's run begins.
-template <class By>
 struct TileScan {
-    TileInput<By> in;
-    std::uint32_t* offsets;  // [keys + 1]; the last is the number of entries
+    const std::uint32_t* count;  // of all entries
+    std::uint32_t* places;       // [key][tile]
+    std::uint32_t keys;          // at most kMaxShadeKeys
+    std::uint32_t* offsets;      // [keys + 1]; the last is the number of entries
 
     static constexpr std::uint32_t threads = 1024, steps = 10, phases = steps + 3;
+    static_assert(kMaxShadeKeys < threads);
     struct Shared {
         std::uint32_t sums[2][threads];
     };
@@ -157,12 +161,12 @@ struct TileScan {
     CTP_INLINE bool idle(std::uint32_t) const { return false; }
     template <std::uint32_t phase>
     CTP_INLINE void run(std::uint32_t, std::uint32_t t, Shared& s, Thread& mine) const {
-        const std::uint32_t tiles = in.tiles(), n = By::keys * tiles, share = (n + threads - 1) / threads;
+        const std::uint32_t tiles = tile_count(*count), n = keys * tiles, share = (n + threads - 1) / threads;
         const std::uint32_t begin = t * share < n ? t * share : n,
                             end = n - begin < share ? n : begin + share;
         if constexpr (phase == 0) {
             mine.own = 0;
-            for (std::uint32_t i = begin; i < end; ++i) mine.own += in.places[i];
+            for (std::uint32_t i = begin; i < end; ++i) mine.own += places[i];
             s.sums[0][t] = mine.own;
         } else if constexpr (phase <= steps) {
             constexpr std::uint32_t from = (phase + 1) % 2, reach = 1u << (phase - 1);
@@ -170,12 +174,12 @@ struct TileScan {
         } else if constexpr (phase == steps + 1) {
             std::uint32_t place = s.sums[steps % 2][t] - mine.own;
             for (std::uint32_t i = begin; i < end; ++i) {
-                const std::uint32_t counted = in.places[i];
-                in.places[i] = place;
+                const std::uint32_t counted = places[i];
+                places[i] = place;
                 place += counted;
             }
-        } else if (t <= By::keys) {
-            offsets[t] = t < By::keys && tiles > 0 ? in.places[t * tiles] : *in.count;
+        } else if (t <= keys) {
+            offsets[t] = t < keys && tiles > 0 ? places[t * tiles] : *count;
         }
     }
 };

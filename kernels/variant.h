@@ -44,21 +44,36 @@ struct Variant {
 };
 
 namespace detail {
-template <std::uint32_t Tag, class Visitor, class T, class... Ts>
-CTP_INLINE decltype(auto) visit_storage(Visitor&& visitor, const VariantStorage<T, Ts...>& storage,
-                                        std::uint32_t tag) {
-    if (tag == Tag) return visitor(storage.element);
-    if constexpr (sizeof...(Ts) > 0)
-        return visit_storage<Tag + 1>(visitor, storage.next, tag);
+template <std::uint32_t position, class... Ts>
+CTP_INLINE const auto& element_at(const VariantStorage<Ts...>& storage) {
+    if constexpr (position == 0)
+        return storage.element;
     else
-        trap();
+        return element_at<position - 1>(storage.next);
+}
+
+// Comparisons side by side, as in visit_type().
+template <class Visitor, class... Ts, std::uint32_t... tags>
+CTP_INLINE auto visit_storage(Visitor& visitor, const VariantStorage<Ts...>& storage, std::uint32_t tag,
+                              std::integer_sequence<std::uint32_t, tags...>) {
+    using Result = decltype(visitor(element_at<0>(storage)));
+    if constexpr (std::is_void_v<Result>) {
+        const bool found = ((tag == tags && (visitor(element_at<tags>(storage)), true)) || ...);
+        if (!found) trap();
+    } else {
+        Result result;
+        const bool found = ((tag == tags && (result = visitor(element_at<tags>(storage)), true)) || ...);
+        if (!found) trap();
+        return result;
+    }
 }
 }  // namespace detail
 
 // Calls the visitor with the element that the variant holds. A tag outside the list traps.
 template <class Visitor, class... Ts>
-CTP_INLINE decltype(auto) apply_visitor(Visitor&& visitor, const Variant<Ts...>& variant) {
-    return detail::visit_storage<0>(visitor, variant.storage, variant.tag);
+CTP_INLINE auto apply_visitor(Visitor&& visitor, const Variant<Ts...>& variant) {
+    return detail::visit_storage(visitor, variant.storage, variant.tag,
+                                 std::make_integer_sequence<std::uint32_t, sizeof...(Ts)>{});
 }
 
 }  // namespace ctpbench

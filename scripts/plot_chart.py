@@ -11,8 +11,9 @@ from plot_inputs import count, number, scene_title
 # bars) and the marker (of points) tell them apart in print.
 COLOURS = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#999999", "#FFFFFF"]
 HATCHES = ["", "///", "...", "xxx", "\\\\\\", "---", "ooo", "|||", "+++"]
-# Of lines and points on white, where neither yellow nor white would do.
-LINE_COLOURS = [*COLOURS[:6], "#000000", "#999999"]
+# Of lines and points on white, where neither yellow nor white would do; the last is Tol's wine, dark beside all
+# but black.
+LINE_COLOURS = [*COLOURS[:6], "#000000", "#999999", "#882255"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">"]
 
 STYLE = {"font.size": 10, "axes.titlesize": 10, "axes.spines.top": False, "axes.spines.right": False,
@@ -33,6 +34,12 @@ def style_of(names):
                    "edgecolor": "black", "linewidth": 0.5} for i, name in enumerate(names)}
 
 
+def line_looks(names):
+    """The same for points and lines."""
+    return {name: {"color": LINE_COLOURS[i % len(LINE_COLOURS)], "marker": MARKERS[i % len(MARKERS)]}
+            for i, name in enumerate(names)}
+
+
 def workload_title(path, row):
     """Of a row that names a scene and its spheres."""
     spheres = number(path, row, "spheres")
@@ -40,36 +47,51 @@ def workload_title(path, row):
 
 
 class Chart:
-    """A grid of panels, the figures that they show, and the same in words. `heights` are shares of the rows."""
+    """A grid of panels, the figures that they show, and the same in words. `heights` are shares of the rows,
+    `widths` of the columns."""
 
-    def __init__(self, name, title, across, down, panel_size, heights=None):
+    def __init__(self, name, title, across, down, panel_size, heights=None, widths=None):
         self.name, self.title, self.data, self.words = name, title, [], []
+        self.tables = {}  # further files beside the chart: names, and rows as dictionaries
         self.figure, self.panels = pyplot.subplots(down, across, squeeze=False, layout="constrained",
-                                                   gridspec_kw={"height_ratios": heights},
+                                                   gridspec_kw={"height_ratios": heights, "width_ratios": widths},
                                                    figsize=(across * panel_size[0], down * panel_size[1] + 0.6))
         self.figure.suptitle(title)
 
     def legend(self, names, looks):
-        handles = [matplotlib.patches.Patch(label=name, **looks[name]) for name in names]
+        self._legend([matplotlib.patches.Patch(label=name, **looks[name]) for name in names])
+
+    def line_legend(self, looks, **more):
+        self._legend([matplotlib.lines.Line2D([], [], label=name, **look, **more) for name, look in looks.items()])
+
+    def _legend(self, handles):
         self.figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), frameon=False,
-                           ncol=min(len(names), 5), handlelength=2.5, handleheight=1.2)
+                           ncol=min(len(handles), 5), handlelength=2.5, handleheight=1.2)
 
     def save(self, folder):
         described = {"Title": self.title, "Description": self.title + ". " + " ".join(self.words)}
-        svg, png, data = (folder / (self.name + end) for end in (".svg", ".png", "_data.csv"))
+        svg, png = (folder / (self.name + end) for end in (".svg", ".png"))
         self.figure.savefig(svg, bbox_inches="tight", metadata=dict(described, Date=None))
         self.figure.savefig(png, bbox_inches="tight", dpi=150, metadata=described)
         pyplot.close(self.figure)
-        with open(data, "w", newline="", encoding="utf-8") as file:
-            writer = csv.DictWriter(file, self.data[0].keys(), lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(self.data)
-        return [svg, png, data]
+        tables = {folder / f"{name}.csv": rows for name, rows in {f"{self.name}_data": self.data,
+                                                                  **self.tables}.items()}
+        for path, rows in tables.items():
+            with open(path, "w", newline="", encoding="utf-8") as file:
+                writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+                writer.writeheader()
+                writer.writerows(rows)
+        return [svg, png, *tables]
 
 
 def whisker(value, lo, hi):
     """Lengths below and above; an interval of medians holds its median but for rounding."""
-    return None if lo is None else [[max(value - lo, 0)], [max(hi - value, 0)]]
+    return None if lo is None or hi is None else [[max(value - lo, 0)], [max(hi - value, 0)]]
 
 
 WHISKER = {"ecolor": "black", "capsize": 2.5, "error_kw": {"elinewidth": 1}}
+
+
+def with_interval(value, lo, hi):
+    """In words."""
+    return short(value) + ("" if lo is None or hi is None else f" [{short(lo)}, {short(hi)}]")

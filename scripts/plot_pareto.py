@@ -4,7 +4,7 @@ import math
 
 import matplotlib
 
-from plot_chart import LINE_COLOURS, MARKERS, Chart, distinct, short, workload_title
+from plot_chart import LINE_COLOURS, MARKERS, Chart, distinct, short, whisker, workload_title
 from plot_inputs import InputError, measured, number, read_rows, require_once, truth
 from plot_stability import compact
 
@@ -73,17 +73,13 @@ class Looks:
         chart.figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), frameon=False, ncol=6)
 
 
-def spread(value, lo, hi):
-    return None if lo is None or hi is None else [[max(value - lo, 0)], [max(hi - value, 0)]]
-
-
 def draw_failures(panel, points, looks):
     for p in points:
         look, bars = looks.of(p.row), {"linestyle": "", "elinewidth": 0.8, "capsize": 2}
         if p.failures == 0:
             look.update(ARROW)
-        panel.errorbar(p.speed, p.height, xerr=spread(p.speed, p.speed_lo, p.speed_hi),
-                       yerr=spread(p.height, p.lo, p.hi) if p.failures > 0 else None, **look, **bars)
+        panel.errorbar(p.speed, p.height, xerr=whisker(p.speed, p.speed_lo, p.speed_hi),
+                       yerr=whisker(p.height, p.lo, p.hi) if p.failures > 0 else None, **look, **bars)
     draw_front(panel, sorted((p for p in points if p.on_front), key=lambda p: (p.speed, p.height)), looks)
     panel.set_ylabel("failures per million")
 

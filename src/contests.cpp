@@ -61,7 +61,7 @@ void record_frame(const RunContext& run, ContestInput& input) {
     ImageStorage image;
     Contender recording;
     recording.backend = "cpu", recording.strategy = run.config.reference;
-    recording.methods = Watertight::name, recording.shade = ShadeCtp::name;
+    recording.methods = Watertight::name, recording.shade = kRecordingShade;
     PipelineMaker(run, input)
         .make(recording, frame_settings(run.config, recording))
         ->frame(true, 0, image, [&](const BounceView& view) {
@@ -74,22 +74,21 @@ void record_frame(const RunContext& run, ContestInput& input) {
 }
 
 std::unique_ptr<CudaWorkload> cuda_workload(const RunContext& run, ContestInput& input,
-                                            const LayoutInput& layout,
                                             const std::vector<Contender>& contenders) {
     DeviceDemand demand;
     for (const Contender& c : contenders) {
         if (c.backend != "cuda") continue;
-        demand.intersectors.insert({c.strategy, intersect_key(c)});
+        demand.intersectors.insert({c.strategy, intersect_key(c), intersected_on_device(c.types)});
         if (!c.renders()) continue;
-        demand.shaders.push_back(c.shade);
+        demand.shaders.push_back({c.shade, c.types, offset_name(c)});
         demand.frames = frame_settings(run.config, c);
-        demand.excludes |= offset_of(c.methods, c.offset) == ExcludeId::name;
+        demand.excludes |= offset_name(c) == ExcludeId::name;
     }
     if (demand.intersectors.empty()) return nullptr;
     run.progress.step("counting what the device will hold", kFrame);
-    require_device_memory(input.workload.name(), bytes_demanded(demand, input.view, layout, input.batches),
+    require_device_memory(input.workload.name(), bytes_demanded(demand, input.scenes, input.batches),
                           cuda_memory());
-    return make_cuda_workload(input.view, layout, input.batches);
+    return make_cuda_workload(input.scenes, input.batches, shade_keys(demand, input.scenes));
 }
 
 void run_intersect_contest(const RunContext& run, ContestInput& input,
@@ -123,6 +122,8 @@ void run_intersect_contest(const RunContext& run, ContestInput& input,
               [&](CellResult& cell) {
                   std::vector<Row> rows = contest.verify(entrants.back(), cell);
                   if (exam) cell.accuracy = exam->take(*entrants.back().tracer);
+                  if (c.backend == "cpu")
+                      cell.layout_bytes = input.lineup.get(c.strategy, intersect_key(c), c.types).bytes();
                   return rows;
               });
     }

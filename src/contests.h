@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "entrants.h"
-#include "kernels/dispatch/layout.h"
 
 namespace ctpbench {
 
@@ -17,7 +16,6 @@ void record_frame(const RunContext& run, ContestInput& input);
 // Null if no contender is for CUDA. Throws Error(no_backend) if they do not all fit the device's memory;
 // nothing is allocated there before that is known.
 std::unique_ptr<CudaWorkload> cuda_workload(const RunContext& run, ContestInput& input,
-                                            const LayoutInput& layout,
                                             const std::vector<Contender>& contenders);
 
 // Both throw Interrupted after Ctrl-C, with the finished rounds kept.

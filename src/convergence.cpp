@@ -57,7 +57,7 @@ private:
         what_ = "rendering the reference";
         Contender best;
         best.backend = "cpu", best.strategy = contenders_.front().strategy;
-        best.methods = Watertight::name, best.shade = ShadeCtp::name;
+        best.methods = Watertight::name, best.shade = kRecordingShade;
         for (const Contender& c : contenders_)
             best.bounce_limit = std::max(best.bounce_limit, frame_settings(config(), c).bounces);
         const auto pipeline = pipeline_of(best, config().seed + config().seeds + half);

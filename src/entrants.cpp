@@ -17,6 +17,8 @@ std::string intersect_key(const Contender& c) {
     return intersect_methods(c.methods, c.triangle_test, c.sphere_test, c.box_test, c.offset);
 }
 
+std::string offset_name(const Contender& c) { return offset_of(c.methods, c.offset); }
+
 bool is_exact(const Contender& c) { return methods_exact(intersect_key(c)); }
 
 CellResult cell_of(const ContestInput& input, const Contender& contender) {
@@ -35,19 +37,19 @@ FrameSettings frame_settings(const Config& config, const Contender& c) {
 
 std::unique_ptr<BatchTracer> tracer_of(const RunContext& run, const ContestInput& input, const Contender& c) {
     const std::string methods = intersect_key(c);
-    if (c.backend == "cuda") return input.cuda->tracer(c.strategy, methods);
-    return std::make_unique<CpuTracer>(run.backend, input.lineup.get(c.strategy, methods),
+    if (c.backend == "cuda") return input.cuda->tracer(c.strategy, methods, c.types);
+    return std::make_unique<CpuTracer>(run.backend, input.lineup.get(c.strategy, methods, c.types),
                                        input.view.geometry().extent);
 }
 
 std::unique_ptr<FramePipeline> PipelineMaker::make(const Contender& c, const FrameSettings& settings) {
     const std::string methods = intersect_key(c);
     if (c.backend == "cuda")
-        return input_.cuda->pipeline(c.strategy, methods, c.shade, cuda_launch(c.launch), input_.scene.camera,
-                                     settings, offset_of(c.methods, c.offset));
+        return input_.cuda->pipeline(c.strategy, methods, c.types, c.shade, cuda_launch(c.launch),
+                                     input_.scene.camera, settings, offset_name(c));
     return std::make_unique<CpuPipeline>(
-        renderer(settings), input_.lineup.get(c.strategy, methods),
-        make_shader(c.shade, input_.view.materials(), offset_of(c.methods, c.offset)));
+        renderer(settings), input_.lineup.get(c.strategy, methods, c.types),
+        make_shader(c.shade, input_.scenes.materials(c.types, offset_name(c)), offset_name(c)));
 }
 
 std::shared_ptr<Renderer> PipelineMaker::renderer(const FrameSettings& settings) {

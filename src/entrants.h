@@ -19,6 +19,7 @@ struct ContestInput {
     const Workload& workload;
     const Scene& scene;
     const SceneView& view;
+    TypedScenes& scenes;
     Lineup& lineup;
     const Intersector* oracle;  // null: there is none
     SceneResult& in_results;
@@ -27,6 +28,9 @@ struct ContestInput {
                                            // exam's batch follows the frame's
     std::unique_ptr<CudaWorkload> cuda{};  // null: no contender is for CUDA; after the batches, which it uses
 };
+
+// Who shades frames of which only the rays or the reference matter.
+inline constexpr const char* kRecordingShade = "ctp";
 
 // What the intersect stage is called for this contender (wavefront/methods.h); own_way for a yardstick.
 std::string intersect_key(const Contender& contender);
@@ -39,6 +43,9 @@ CellResult cell_of(const ContestInput& input, const Contender& contender);
 
 // Of a contender's frames; with the contender's own limits.
 FrameSettings frame_settings(const Config& config, const Contender& contender);
+
+// The offset of its frames, as make_shader() takes it.
+std::string offset_name(const Contender& contender);
 
 std::unique_ptr<BatchTracer> tracer_of(const RunContext& run, const ContestInput& input, const Contender& c);
 

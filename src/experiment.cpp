@@ -10,6 +10,7 @@
 #include "backends/cuda.h"
 #include "contests.h"
 #include "convergence.h"
+#include "measure/scene_result.h"
 #include "oracle/embree.h"
 #include "report/console.h"
 #include "report/convergence.h"
@@ -20,6 +21,7 @@
 #include "report/pareto.h"
 #include "report/summary.h"
 #include "report/tables.h"
+#include "report/type_tables.h"
 #include "run_context.h"
 #include "stability_study.h"
 #include "wavefront/forest.h"
@@ -116,6 +118,8 @@ private:
                 write_file(folder_ / "table1.csv", table1_csv(results_));
                 write_file(folder_ / "table1.md", table1_markdown(results_));
             }
+            if (table == "narrowing") write_file(folder_ / "narrowing.csv", narrowing_csv(results_));
+            if (table == "types") write_file(folder_ / "types.csv", types_csv(results_));
             if (table == "pareto") write_file(folder_ / "pareto.csv", pareto_csv(config_, results_));
             if (table == "figure4") write_file(folder_ / "figure4.csv", figure4_csv(config_, results_));
         }
@@ -136,7 +140,9 @@ private:
         return scene;
     }
 
-    Forest plant(const WorkloadCells& cells, const Scene& scene) {
+    // What the workload's contenders traverse.
+    std::set<TreeKind> kinds_of(const WorkloadCells& cells) const {
+        if (!config_.measure) return {TreeKind::mixed, TreeKind::per_type};
         std::set<TreeKind> kinds;
         const std::vector<StrategyInfo> strategies = intersect_strategies();
         const auto need = [&](const std::string& name) {
@@ -149,16 +155,22 @@ private:
                                             [](const Contender& c) { return !c.renders(); });
         if (intersects) need(config_.reference);
         if (is_among(config_.tables, "pareto")) kinds.insert(TreeKind::mixed);  // the exam's
-        if (!config_.measure) kinds = {TreeKind::mixed, TreeKind::per_type};
+        return kinds;
+    }
 
+    static SbvhSettings settings_of(const Workload& workload) {
         SbvhSettings settings;
         for (const BuilderInfo& b : tree_builders())
-            if (b.name == cells.workload.builder) settings = b.settings;
+            if (b.name == workload.builder) settings = b.settings;
+        return settings;
+    }
+
+    Forest plant(const WorkloadCells& cells, const Scene& scene) {
         // The tree over triangles alone is the same for every number of spheres.
         const std::string key = cells.workload.scene + "/" + cells.workload.builder;
         Forest forest = build_forest(
-            backend_, scene, kinds, settings, key == triangles_of_ ? triangles_ : nullptr,
-            [&](const std::string& tree, double done) {
+            backend_, scene, kinds_of(cells), settings_of(cells.workload),
+            key == triangles_of_ ? triangles_ : nullptr, [&](const std::string& tree, double done) {
                 progress_.step("building the tree (" + tree + ")", kScene + (kTrees - kScene) * done);
             });
         if (forest.per_type[0]) triangles_of_ = key, triangles_ = forest.per_type[0];
@@ -177,32 +189,25 @@ private:
         stop_if_interrupted();
         if (stability_) return run_stability_study(context_, cells, *stability_, stability_rows_);
         const Scene scene = load(cells.workload);
-        const char* source = scene.source == SceneSource::mesh ? "mesh" : "stand-in";
-        SceneResult& in_results = results_.scenes.emplace_back();
-        in_results = {scene.name,
-                      cells.workload.spheres,
-                      source,
-                      scene.mesh.triangles.size(),
-                      scene.dropped_triangles,
-                      scene.content_hash,
-                      0.0};
+        SceneResult& in_results = results_.scenes.emplace_back(describe(scene, cells.workload.spheres));
         stop_if_interrupted();
         const Forest forest = plant(cells, scene);
         stop_if_interrupted();
         if (!config_.measure) return;
 
         const SceneView view(scene);
-        const LayoutInput layout = forest.layout_input(view.geometry());
-        Lineup lineup(cells.workload, scene, layout, backend_.threads(), results_,
+        TypedScenes scenes(backend_, scene, view, forest, kinds_of(cells), settings_of(cells.workload));
+        Lineup lineup(cells.workload, scene, scenes, backend_.threads(), results_,
                       [&](const std::string& what) { progress_.step(what, kTrees); });
-        const Intersector* oracle = embree_version().empty() ? nullptr : &lineup.get(kYardstick, own_way);
+        const Intersector* oracle =
+            embree_version().empty() ? nullptr : &lineup.get(kYardstick, own_way, kTypesOfScene);
         stop_if_interrupted();
         std::vector<Contender> intersecting, rendering;
         for (const Contender& c : cells.contenders) (c.renders() ? rendering : intersecting).push_back(c);
-        ContestInput input{cells.workload, scene, view, lineup, oracle, in_results};
+        ContestInput input{cells.workload, scene, view, scenes, lineup, oracle, in_results};
         if (is_among(config_.tables, "pareto")) input.examined = forest.mixed.get();
         if (!intersecting.empty()) record_frame(context_, input);
-        input.cuda = cuda_workload(context_, input, layout, cells.contenders);
+        input.cuda = cuda_workload(context_, input, cells.contenders);
         if (!intersecting.empty()) run_intersect_contest(context_, input, intersecting);
         if (rendering.empty()) return;
         if (config_.study == Study::convergence)
@@ -239,9 +244,17 @@ KnownNames known_names() {
     for (const BuilderInfo& b : tree_builders()) names.builders.push_back(b.name);
     names.triangle_tests = triangle_tests(), names.sphere_tests = sphere_tests();
     names.box_tests = box_tests(), names.offsets = offsets();
-    names.obstacle = [](const Contender& c) {
+    names.types = type_choices();
+    names.available = [](const Contender& c) {
+        return c.backend != "cuda" || types_on_device(c.types, c.renders());
+    };
+    names.obstacle = [](const Cell& cell) {
+        const Contender& c = *cell.contender;
         if (c.is_yardstick()) return std::string();
-        return methods_obstacle(c.strategy, c.methods, c.triangle_test, c.sphere_test, c.box_test, c.offset);
+        const std::string why =
+            methods_obstacle(c.strategy, c.methods, c.triangle_test, c.sphere_test, c.box_test, c.offset);
+        const bool plain = intersect_key(c) == Watertight::name && offset_name(c) == Watertight::Offset::name;
+        return why.empty() ? types_obstacle(c.types, plain, cell.workload.spheres) : why;
     };
     names.traversals = {"single"};
     names.studies = {"speed", "stability", "convergence"};

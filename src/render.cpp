@@ -8,6 +8,7 @@
 #include "scene/load_scene.h"
 #include "wavefront/forest.h"
 #include "wavefront/renderer.h"
+#include "wavefront/typed_scenes.h"
 
 namespace ctpbench {
 namespace {
@@ -44,7 +45,9 @@ ExitCode render(const CommandLine& line) {
     const SceneView view(scene);
     const auto intersector =
         make_intersector("typed_leaves", "watertight", forest.layout_input(view.geometry()));
-    const auto shader = make_shader("ctp", view.materials());
+    const MaterialTable materials(scene,
+                                  material_types(kTypesOfScene, WaechterBinder::name, needs_of(scene)));
+    const auto shader = make_shader("ctp", materials);
     Renderer renderer(backend, view, scene.camera,
                       {line.width, line.height, line.bounces, line.seed.value_or(1)});
     ImageStorage image;

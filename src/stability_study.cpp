@@ -64,13 +64,13 @@ void run_stability_study(const RunContext& run, const WorkloadCells& cells, Stab
     };
     const auto safe_point = [&] { step("tracing the reference", kTrees); };
     step("building the trees", 0.0);
-    const StressBed bed(run.backend, make_stress(cells.workload.scene, run.config.seed));
+    StressBed bed(run.backend, make_stress(cells.workload.scene, run.config.seed));
     const StressWorkload& stress = bed.workload();
     const std::vector<Contender> contenders = able(run, stress.scene, cells.contenders);
-    Lineup lineup(cells.workload, stress.scene, bed.layout(), run.backend.threads(), run.results,
+    Lineup lineup(cells.workload, stress.scene, bed.scenes(), run.backend.threads(), run.results,
                   [](const std::string&) {});
     SceneResult unused;
-    ContestInput input{cells.workload, stress.scene, bed.view(), lineup, nullptr, unused};
+    ContestInput input{cells.workload, stress.scene, bed.view(), bed.scenes(), lineup, nullptr, unused};
 
     const std::uint32_t n = run.config.stress_rays;
     std::optional<RayExam> of_rays;
@@ -87,7 +87,7 @@ void run_stability_study(const RunContext& run, const WorkloadCells& cells, Stab
         input.batches.push_back(stress_batch(run.backend, n, stress.ray));
         of_rays.emplace(run.backend, bed.judge(), bed.exact(), input.batches[0], safe_point);
     }
-    input.cuda = cuda_workload(run, input, bed.layout(), contenders);
+    input.cuda = cuda_workload(run, input, contenders);
 
     for (std::size_t i = 0; i < contenders.size(); ++i) {
         const Contender& c = contenders[i];

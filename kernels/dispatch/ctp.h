@@ -6,18 +6,18 @@
 
 namespace ctpbench {
 
-template <class Methods>
+template <class Methods, class Types = Primitives<Methods>>
 struct Ctp {
     static constexpr const char* name = "ctp";
     static constexpr TreeKind tree = TreeKind::mixed;
-    using Element = Rebind<Variant, Primitives<Methods>>;
+    using Element = OneOf<Variant, Types>;
 
     struct Visit {
         CTP_INLINE void operator()(const Element& e, const RayContext<Methods>& ray, Hit& hit) const {
             apply_visitor([&](const auto& primitive) { primitive.intersect(ray, hit); }, e);
         }
     };
-    using Layout = SumTypeLayout<Methods, Element, Visit>;
+    using Layout = SumTypeLayout<Methods, Types, Element, Visit>;
 
     template <class View, class ForEach>
     static void intersect(const View& view, const IntersectBuffers& io, bool, ForEach&& for_each) {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "../array.h"
 #include "../bvh.h"
 #include "../intersect.h"
 #include "../primitives/list.h"
 #include "../slot.h"
+#include "../synthetic/types.h"
 #include "place.h"
 
 namespace ctpbench {
@@ -27,13 +29,13 @@ enum class TreeKind {
     per_type,      // a tree for each type
 };
 
-inline constexpr std::size_t kPrimitiveTypes = Primitives<Watertight>::size;
-
 struct LayoutInput {
     TreeView mixed;
     TreeView typed_leaves;
-    TreeView per_type[kPrimitiveTypes];
+    std::vector<TreeView> per_type;  // by tag
     GeometryView geometry;
+    std::uint32_t types = kAllPrimitives;  // a mask: whoever is laid out is compiled for these primitives
+    SyntheticTypes synthetic{};            // in their place, if there are any
 };
 
 // For strategies that need one pass only. A tree over nothing has no root to start from.

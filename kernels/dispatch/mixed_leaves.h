@@ -4,6 +4,7 @@
 
 #include "../traverse.h"
 #include "layout.h"
+#include "typed_tree.h"
 
 namespace ctpbench {
 
@@ -26,28 +27,19 @@ struct MixedLeaves {
 };
 
 // One element per leaf entry: a spatially split primitive is stored once per reference, so that a leaf's
-// elements are contiguous. `make(value)` turns a primitive into an element.
-template <class Methods, class Element, class Make>
-Array<Element> elements_in_leaf_order(const TreeView& tree, const GeometryView& geometry, Make&& make) {
-    Array<Element> elements;
-    elements.reserve(tree.ref_count);
-    for (std::size_t i = 0; i < tree.ref_count; ++i) {
-        const PrimitiveRef ref = tree.refs[i];
-        visit_type<Primitives<Methods>>(ref.type, [&](auto type) {
-            elements.push_back(make(decltype(type)::type::make(geometry, ref.index)));
-        });
-    }
-    return elements;
-}
-
-// The layout of a strategy that stores primitives by value in a sum type.
-template <class Methods, class Element, class Visit>
-class SumTypeLayout {
+// elements are contiguous.
+template <class Methods, class Types, class Element, class Visit>
+class MixedLeavesLayout {
 public:
-    explicit SumTypeLayout(const LayoutInput& in)
-        : tree_(in.mixed),
-          elements_(elements_in_leaf_order<Methods, Element>(
-              in.mixed, in.geometry, [](const auto& primitive) { return Element(primitive); })) {}
+    explicit MixedLeavesLayout(const LayoutInput& in) : tree_(in.mixed) {
+        elements_.reserve(tree_.ref_count);
+        for (std::size_t i = 0; i < tree_.ref_count; ++i) {
+            const PrimitiveRef ref = tree_.refs[i];
+            visit_by_tag<Types>(ref.type, [&](auto type) {
+                elements_.push_back(Element(decltype(type)::type::make(in.geometry, ref.index)));
+            });
+        }
+    }
 
     template <class Place>
     MixedLeaves<Methods, typename Place::template Element<Element>, Visit> view(const Place& place) const {
@@ -59,5 +51,10 @@ private:
     TreeView tree_;
     Array<Element> elements_;
 };
+
+// The layout of a strategy that stores primitives by value in a sum type, of which one type has no need.
+template <class Methods, class Types, class Element, class Visit>
+using SumTypeLayout = std::conditional_t<Types::size == 1, OneTypeLayout<Methods, Types, &LayoutInput::mixed>,
+                                         MixedLeavesLayout<Methods, Types, Element, Visit>>;
 
 }  // namespace ctpbench

@@ -7,6 +7,7 @@
 
 #include "../oop.h"
 #include "mixed_leaves.h"
+#include "object_order.h"
 
 namespace ctpbench {
 
@@ -21,7 +22,7 @@ struct VirtualVisit {
 template <class Methods>
 using VirtualLeaves = MixedLeaves<Methods, const PrimitiveBase<Methods>*, VirtualVisit<Methods>>;
 
-template <class Methods>
+template <class Methods, class Types = Primitives<Methods>>
 struct Oop {
     static constexpr const char* name = "oop";
     static constexpr TreeKind tree = TreeKind::mixed;
@@ -30,21 +31,19 @@ struct Oop {
     class Layout {
     public:
         explicit Layout(const LayoutInput& in) : tree_(in.mixed) {
-            std::size_t first[kPrimitiveTypes], type = 0;
-            objects_.reserve(in.geometry.size());
-            for_each_type(Primitives<Methods>{}, [&](auto tag) {
+            const ObjectPlaces places = place_objects<Types>(in.mixed, ObjectOrder::scene);
+            std::size_t first[Types::size];
+            for_each_type(Types{}, [&](auto tag) {
                 using T = typename decltype(tag)::type;
-                first[type++] = objects_.size();
-                for (std::uint32_t i = 0; i < T::count(in.geometry); ++i)
-                    objects_.push_back(
-                        std::make_unique<PrimitiveObject<Methods, T>>(T::make(in.geometry, i)));
-                bytes_ += T::count(in.geometry) * sizeof(PrimitiveObject<Methods, T>);
+                using Object = PrimitiveObject<Methods, T>;
+                first[index_of<T, Types>] = objects_.size();
+                for (const std::uint32_t i : places.primitives[index_of<T, Types>])
+                    objects_.push_back(std::make_unique<Object>(T::make(in.geometry, i)));
+                bytes_ += places.primitives[index_of<T, Types>].size() * sizeof(Object);
             });
-            elements_.reserve(in.mixed.ref_count);
-            for (std::size_t i = 0; i < in.mixed.ref_count; ++i) {
-                const PrimitiveRef ref = in.mixed.refs[i];
-                elements_.push_back(objects_[first[ref.type] + ref.index].get());
-            }
+            elements_.reserve(places.entries.size());
+            for (const PrimitiveRef& entry : places.entries)
+                elements_.push_back(objects_[first[entry.type] + entry.index].get());
         }
         // Of the host alone: objects are constructed where their virtual tables are.
         VirtualLeaves<Methods> view(HostPlace) const { return {tree_.nodes, elements_.data()}; }

@@ -2,98 +2,121 @@
 // primitive, and each type in an array of its own, without tags or padding.
 #pragma once
 
-#include <tuple>
+#include <array>
 #include <vector>
 
 #include "../array.h"
-#include "../traverse.h"
-#include "typed_array.h"
+#include "typed_tree.h"
 
 namespace ctpbench {
 
-template <class Methods>
+template <class Methods, class Types = Primitives<Methods>>
 struct TypedLeaves {
     static constexpr const char* name = "typed_leaves";
     static constexpr TreeKind tree = TreeKind::typed_leaves;
+
+    // Whether an address to fetch ahead from is selected by arithmetic, which is faster for a few types.
+    static constexpr bool kSelected = Types::size <= 4;
 
     template <class Place>
     struct ViewIn {
         template <class T>
         using Elements = TypedArray<Methods, typename Place::template Element<T>>;
-        template <class... Ts>
-        struct ArraysOf : Elements<Ts>... {};
 
-        const BvhNode* nodes;  // a leaf's `first` counts in its type's array
-        Rebind<ArraysOf, Primitives<Methods>> arrays;
+        // A leaf's type counts among Types, and its `first` in its type's array.
+        const BvhNode* nodes;
+        PerType<Elements, Types> arrays;
+        const std::byte* first_elements[kSelected ? 1 : Types::size];  // by type, if that is looked up
 
         CTP_INLINE void closest_hit(const RayContext<Methods>& ray, Hit& hit) const {
-            const auto entries = [&](const BvhNode& leaf) {
-                // Selected without a branch: it is only an address to fetch from.
-                const void* first = nodes;
-                for_each_type(Primitives<Methods>{}, [&](auto tag) {
-                    using T = typename decltype(tag)::type;
-                    const auto* element = static_cast<const Elements<T>&>(arrays).elements + leaf.first;
-                    first = leaf.type() == index_of<T, Primitives<Methods>> ? element : first;
-                });
-                return first;
-            };
+            const auto entries = [&](const BvhNode& leaf) { return first_entry(leaf); };
             traverse<Methods>(nodes, ray, hit, entries, [&](const BvhNode& leaf) {
-                visit_type<Primitives<Methods>>(leaf.type(), [&](auto tag) {
+                visit_type<Types>(leaf.type(), [&](auto tag) {
                     using T = typename decltype(tag)::type;
-                    static_cast<const Elements<T>&>(arrays).intersect_leaf(leaf, ray, hit);
+                    arrays.template of<T>().intersect_leaf(leaf, ray, hit);
                 });
             });
         }
+
+    private:
+        template <class... Ts>
+        static std::uint32_t size_of(TypeList<Ts...>, std::uint32_t type) {
+            static constexpr std::uint32_t sizes[] = {sizeof(typename Place::template Element<Ts>)...};
+            return sizes[type];
+        }
+        const void* first_entry(const BvhNode& leaf) const {
+            if constexpr (!kSelected)
+                return first_elements[leaf.type()] + std::size_t{leaf.first} * size_of(Types{}, leaf.type());
+            const void* first = nodes;
+            for_each_type(Types{}, [&](auto tag) {
+                using T = typename decltype(tag)::type;
+                const auto* element = arrays.template of<T>().elements + leaf.first;
+                first = leaf.type() == index_of<T, Types> ? element : first;
+            });
+            return first;
+        }
     };
 
-    template <class... Ts>
-    using Vectors = std::tuple<Array<Ts>...>;
-
-    class Layout {
+    class SeveralTypes {
     public:
-        explicit Layout(const LayoutInput& in)
+        explicit SeveralTypes(const LayoutInput& in)
             : nodes_(in.typed_leaves.nodes, in.typed_leaves.nodes + in.typed_leaves.node_count) {
-            // Leaves are rewritten in the order of their references, so each type's array is in leaf order.
-            std::vector<std::uint32_t> place(in.typed_leaves.ref_count);
-            std::size_t counts[kPrimitiveTypes] = {};
+            std::array<std::size_t, kLeafTypes> counts{};
             for (std::size_t i = 0; i < in.typed_leaves.ref_count; ++i)
                 ++counts[in.typed_leaves.refs[i].type];
-            for_each_type(Primitives<Methods>{}, [&](auto tag) {
+            for_each_type(Types{}, [&](auto tag) {
                 using T = typename decltype(tag)::type;
-                std::get<Array<T>>(vectors_).reserve(counts[index_of<T, Primitives<Methods>>]);
+                vectors_.template of<T>().reserve(counts[primitive_tag<T>]);
             });
+            // Leaves are rewritten in the order of their references, so each type's array is in leaf order.
+            std::vector<std::uint32_t> place(in.typed_leaves.ref_count);
             for (std::size_t i = 0; i < in.typed_leaves.ref_count; ++i) {
                 const PrimitiveRef ref = in.typed_leaves.refs[i];
-                visit_type<Primitives<Methods>>(ref.type, [&](auto tag) {
+                visit_by_tag<Types>(ref.type, [&](auto tag) {
                     using T = typename decltype(tag)::type;
-                    auto& elements = std::get<Array<T>>(vectors_);
+                    auto& elements = vectors_.template of<T>();
                     place[i] = static_cast<std::uint32_t>(elements.size());
                     elements.push_back(T::make(in.geometry, ref.index));
                 });
             }
             for (BvhNode& node : nodes_)
-                if (node.is_leaf()) node.first = place[node.first];
+                if (node.is_leaf()) {
+                    visit_by_tag<Types>(node.type(), [&](auto tag) {
+                        using T = typename decltype(tag)::type;
+                        node.leaf = BvhNode::leaf_word(index_of<T, Types>, node.count());
+                    });
+                    node.first = place[node.first];
+                }
         }
         template <class Place>
         ViewIn<Place> view(const Place& place) const {
-            ViewIn<Place> view{place(nodes_.data(), nodes_.size()), {}};
-            for_each_type(Primitives<Methods>{}, [&](auto tag) {
+            ViewIn<Place> view{place(nodes_.data(), nodes_.size()), {}, {}};
+            for_each_type(Types{}, [&](auto tag) {
                 using T = typename decltype(tag)::type;
-                static_cast<typename ViewIn<Place>::template Elements<T>&>(view.arrays).elements =
-                    place.elements(std::get<Array<T>>(vectors_));
+                const auto* elements = place.elements(vectors_.template of<T>());
+                view.arrays.template of<T>().elements = elements;
+                if constexpr (!kSelected)
+                    view.first_elements[index_of<T, Types>] = reinterpret_cast<const std::byte*>(elements);
             });
             return view;
         }
         std::size_t bytes() const {
             std::size_t total = nodes_.size() * sizeof(BvhNode);
-            std::apply([&](const auto&... v) { ((total += v.size() * sizeof(v[0])), ...); }, vectors_);
+            for_each_type(Types{}, [&](auto tag) {
+                using T = typename decltype(tag)::type;
+                total += vectors_.template of<T>().size() * sizeof(T);
+            });
             return total;
         }
 
     private:
         NodeArray nodes_;
-        Rebind<Vectors, Primitives<Methods>> vectors_;
+        PerType<Array, Types> vectors_;
     };
+
+    using Layout =
+        std::conditional_t<Types::size == 1, OneTypeLayout<Methods, Types, &LayoutInput::typed_leaves>,
+                           SeveralTypes>;
 
     template <class View, class ForEach>
     static void intersect(const View& view, const IntersectBuffers& io, bool, ForEach&& for_each) {

@@ -1,4 +1,5 @@
-// The colour of a Lambertian term: constant, or a texture that a constant tints.
+// The colour of a Lambertian term: a texture that a constant tints; or the constant alone, for scenes without
+// textures.
 #pragma once
 
 #include "description.h"
@@ -19,6 +20,17 @@ struct DiffuseColor {
         const TextureSample s = sample_texture(point.attributes->texels, texture, point.texcoord());
         albedo = factor * s.color;
         return s.alpha >= 0.5f;
+    }
+};
+
+struct ConstantColor {
+    Vec3 factor;
+
+    static ConstantColor make(const MaterialDescription& d) { return {d.diffuse}; }
+
+    CTP_INLINE bool at(const SurfacePoint&, Vec3& albedo) const {
+        albedo = factor;
+        return true;
     }
 };
 

@@ -1,5 +1,5 @@
-// The list of material types. A type's position is its tag in variants and in sort keys, and its name is what
-// scene files call it.
+// The list of material types. A type's position is its tag in scenes, and its name is what scene files call
+// it. A contender that is compiled for some of them only counts tags and sort keys among those.
 #pragma once
 
 #include "../type_list.h"
@@ -10,9 +10,33 @@
 
 namespace ctpbench {
 
-using Materials = TypeList<Matte, Plastic, Mirror, Emissive>;
+template <class Color>
+using MaterialsOf = TypeList<MatteOf<Color>, PlasticOf<Color>, Mirror, Emissive>;
 
+using Materials = MaterialsOf<DiffuseColor>;
+using UntexturedMaterials = MaterialsOf<ConstantColor>;
+
+namespace detail {
 template <class T>
-inline constexpr std::uint32_t material_type = static_cast<std::uint32_t>(index_of<T, Materials>);
+struct MaterialType : std::integral_constant<std::uint32_t, index_of<T, Materials>> {};
+template <template <class> class T>
+struct MaterialType<T<ConstantColor>>
+    : std::integral_constant<std::uint32_t, index_of<T<ConstantColor>, UntexturedMaterials>> {};
+}  // namespace detail
+
+// How scenes refer to the type.
+template <class T>
+inline constexpr std::uint32_t material_type = detail::MaterialType<T>::value;
+
+// Which materials a contender is compiled for.
+struct MaterialTypes {
+    std::uint32_t mask = whole_mask<Materials>;  // bit i is that of the type i
+    bool textured = true;                        // whether any of them may have a texture
+
+    bool operator==(const MaterialTypes&) const = default;
+};
+
+// The types that look at a texture: with others alone, there is no difference.
+inline constexpr std::uint32_t kTexturable = 1u << material_type<Matte> | 1u << material_type<Plastic>;
 
 }  // namespace ctpbench

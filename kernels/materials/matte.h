@@ -6,12 +6,14 @@
 
 namespace ctpbench {
 
-struct Matte {
+// Color: diffuse_color.h.
+template <class Color>
+struct MatteOf {
     static constexpr const char* name = "matte";
 
-    DiffuseColor color;
+    Color color;
 
-    static Matte make(const MaterialDescription& d) { return {DiffuseColor::make(d)}; }
+    static MatteOf make(const MaterialDescription& d) { return {Color::make(d)}; }
 
     // f(wo, wi), per steradian.
     CTP_INLINE Vec3 shade(const SurfacePoint& point, Vec3 wi) const {
@@ -30,5 +32,7 @@ struct Matte {
         return scattered(cosine_direction(point.normal, r.v[0], r.v[1]), albedo);
     }
 };
+
+using Matte = MatteOf<DiffuseColor>;
 
 }  // namespace ctpbench

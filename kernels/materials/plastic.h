@@ -12,16 +12,18 @@
 
 namespace ctpbench {
 
-struct Plastic {
+// Color: diffuse_color.h.
+template <class Color>
+struct PlasticOf {
     static constexpr const char* name = "plastic";
 
-    DiffuseColor color;
+    Color color;
     Vec3 specular;
     float exponent;
     float diffuse_share;  // probability of picking the Lambertian lobe
 
-    static Plastic make(const MaterialDescription& d) {
-        Plastic p{DiffuseColor::make(d), d.specular, d.exponent, 0.0f};
+    static PlasticOf make(const MaterialDescription& d) {
+        PlasticOf p{Color::make(d), d.specular, d.exponent, 0.0f};
         const Vec3 sum = p.color.factor + p.specular;
         const float largest = max(max(sum.x, sum.y), sum.z);
         if (largest > 1.0f) {
@@ -90,5 +92,7 @@ private:
         return min(1.0f, 2.0f * cos_h * min(cos_o, cos_i) / oh);
     }
 };
+
+using Plastic = PlasticOf<DiffuseColor>;
 
 }  // namespace ctpbench

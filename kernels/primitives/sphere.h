@@ -16,7 +16,6 @@ struct Sphere {
     static Sphere make(const GeometryView& g, std::uint32_t index) {
         return {Methods::Sphere::shape(g.spheres[index]), g.first_sphere() + index};
     }
-    static std::uint32_t count(const GeometryView& g) { return g.sphere_count; }
 
     CTP_INLINE void intersect(const RayContext<Methods>& ray, Hit& hit) const {
         if (ray.leaves_out(id)) return;

@@ -16,7 +16,6 @@ struct Triangle {
     static Triangle make(const GeometryView& g, std::uint32_t index) {
         return {Methods::Triangle::shape(g.triangle(index)), index};
     }
-    static std::uint32_t count(const GeometryView& g) { return g.triangle_count; }
 
     CTP_INLINE void intersect(const RayContext<Methods>& ray, Hit& hit) const {
         if (ray.leaves_out(id)) return;

@@ -1,5 +1,5 @@
 // A scene's triangles, spheres or both, as the tree builder sees them. The type of a reference is the
-// position in the list of primitives: 0 for triangles, 1 for spheres.
+// position in the list of primitives: 0 for triangles, 1 for spheres. Or its triangles, each of a type given.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,15 @@ public:
               which == PrimitiveSet::spheres ? 0 : static_cast<std::uint32_t>(scene.mesh.triangles.size())),
           spheres_(which == PrimitiveSet::triangles ? 0 : static_cast<std::uint32_t>(scene.spheres.size())) {}
 
+    // The triangles alone, types[i] being that of triangle i; the types must outlive this too.
+    ScenePrimitives(const Scene& scene, std::span<const std::uint8_t> types)
+        : ScenePrimitives(scene, PrimitiveSet::triangles) {
+        types_ = types.data();
+    }
+
     std::size_t size() const { return std::size_t{triangles_} + spheres_; }
     PrimitiveRef ref(std::uint32_t i) const {
+        if (types_ != nullptr) return {types_[i], i};
         return i < triangles_ ? PrimitiveRef{0, i} : PrimitiveRef{1, i - triangles_};
     }
     Box bounds(std::uint32_t i) const {
@@ -48,6 +55,7 @@ public:
 private:
     const Scene* scene_;
     std::uint32_t triangles_, spheres_;
+    const std::uint8_t* types_ = nullptr;  // null: triangles are of type 0
 };
 
 extern template Tree build_sbvh(const ScenePrimitives&, const SbvhSettings&, const BuildProgress&);

@@ -1,8 +1,6 @@
 // The CPU backend: a kernel's functor over an index range on a fixed number of threads.
 #pragma once
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <cstdint>
@@ -20,18 +18,16 @@ public:
 
     int threads() const { return arena_.max_concurrency(); }
 
-    // Calls kernel(i) for i in [0, count), in chunks of `grain`.
+    // Calls kernel(i) for i in [0, count), in chunks of `grain`. A kernel whose call is not inlined there
+    // reads its members anew after every store.
     template <class Kernel>
     void for_each(std::uint32_t count, const Kernel& kernel, std::uint32_t grain = 1024) {
-        arena_.execute([&] {
-            oneapi::tbb::parallel_for(
-                oneapi::tbb::blocked_range<std::uint32_t>(0, count, grain),
-                [kernel](const oneapi::tbb::blocked_range<std::uint32_t>& range) {
-                    const Kernel local = kernel;  // on this thread's stack: no store aliases it
-                    for (std::uint32_t i = range.begin(); i != range.end(); ++i) local(i);
-                },
-                oneapi::tbb::simple_partitioner{});
-        });
+        const auto chunk = [](const void* shared, std::uint32_t begin, std::uint32_t end) {
+            const Kernel local =
+                *static_cast<const Kernel*>(shared);  // on this thread's stack: no store aliases it
+            for (std::uint32_t i = begin; i != end; ++i) local(i);
+        };
+        for_each_chunk(count, grain, chunk, &kernel);
     }
 
     // Calls kernel(s size + i) for each segment s and i in [0, counts[s]); a segment goes to one thread, in
@@ -55,6 +51,10 @@ public:
     }
 
 private:
+    // A chunk is worth a call through a pointer; one instantiation of oneTBB's loop then serves all kernels.
+    using Chunk = void (*)(const void* kernel, std::uint32_t begin, std::uint32_t end);
+    void for_each_chunk(std::uint32_t count, std::uint32_t grain, Chunk chunk, const void* kernel);
+
     oneapi::tbb::task_arena arena_;
 };
 

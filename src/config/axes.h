@@ -20,6 +20,7 @@ struct Axes {
     std::vector<bool> restart_carries_t;
     std::vector<std::string> traversal;
     std::vector<std::string> methods;
+    std::vector<std::string> types;                                 // that kernels are compiled for
     std::vector<std::string> shade;                                 // no_shade: intersect alone is measured
     std::vector<std::string> launch;                                // of frames' kernels on a GPU
     std::vector<std::string> triangle_test, sphere_test, box_test;  // of_bundle: what `methods` names
@@ -37,11 +38,14 @@ inline constexpr const char* no_shade = "none";
 // A test or offset that is not exchanged: the bundle's own.
 inline constexpr const char* of_bundle = "bundle";
 
+// Kernels are compiled for the types that the scene has.
+inline constexpr const char* types_of_scene = "scene";
+
 // What an axis has that the config does not mention.
 inline Axes default_axes() {
-    return {{"smoke"},   {1000},      {0.03},         {"quality"}, {"cpu"},      {"ctp"},
-            {true},      {"single"},  {"watertight"}, {no_shade},  {"isolated"}, {of_bundle},
-            {of_bundle}, {of_bundle}, {of_bundle},    {0},         {false}};
+    return {{"smoke"},   {1000},      {0.03},         {"quality"},      {"cpu"},    {"ctp"},
+            {true},      {"single"},  {"watertight"}, {types_of_scene}, {no_shade}, {"isolated"},
+            {of_bundle}, {of_bundle}, {of_bundle},    {of_bundle},      {0},        {false}};
 }
 
 // Whether the axis belongs to what is traced, not to who traces it.
@@ -61,6 +65,7 @@ void for_each_axis(AxesOrConst& axes, F&& f) {
     f("restart_carries_t", axes.restart_carries_t);
     f("traversal", axes.traversal);
     f("methods", axes.methods);
+    f("types", axes.types);
     f("shade", axes.shade);
     f("launch", axes.launch);
     f("triangle_test", axes.triangle_test);

@@ -41,6 +41,7 @@ private:
                                                  : axis_ == "builder"   ? known_.builders
                                                  : axis_ == "shade"     ? known_.all_shades()
                                                  : axis_ == "launch"    ? known_.launches
+                                                 : axis_ == "types"     ? known_.types
                                                  : axis_ == "triangle_test"
                                                      ? or_of_bundle(known_.triangle_tests)
                                                  : axis_ == "sphere_test" ? or_of_bundle(known_.sphere_tests)

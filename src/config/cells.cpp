@@ -47,6 +47,7 @@ void for_each_part(Study study, F&& f) {
       [](const Contender& c) { return c.strategy == "restart"; });
     f(&Axes::traversal, &Contender::traversal, ours);
     f(&Axes::methods, &Contender::methods, ours);
+    f(&Axes::types, &Contender::types, ours);
     f(&Axes::triangle_test, &Contender::triangle_test, ours);
     f(&Axes::sphere_test, &Contender::sphere_test, ours);
     f(&Axes::box_test, &Contender::box_test, ours);
@@ -68,7 +69,7 @@ std::vector<Contender> contenders_of(const Axes& axes, Study study, const KnownN
             if (yardstick != nullptr && yardstick->backend != backend) continue;
             std::vector<Contender> list(1);
             list[0].backend = backend, list[0].strategy = strategy;
-            if (yardstick != nullptr) list[0].traversal = list[0].methods = own_way;
+            if (yardstick != nullptr) list[0].traversal = list[0].methods = list[0].types = own_way;
             for_each_part(study, [&](auto axis, auto member, auto meaningful) {
                 std::vector<Contender> varied;
                 for (const Contender& c : list) {
@@ -82,6 +83,7 @@ std::vector<Contender> contenders_of(const Axes& axes, Study study, const KnownN
             });
             // A yardstick only intersects.
             std::erase_if(list, [](const Contender& c) { return c.is_yardstick() && c.renders(); });
+            if (known.available) std::erase_if(list, [&](const Contender& c) { return !known.available(c); });
             all.insert(all.end(), list.begin(), list.end());
         }
     return all;

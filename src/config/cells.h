@@ -23,7 +23,7 @@ struct Workload {
     bool operator==(const Workload&) const = default;
 };
 
-// A yardstick's traversal and methods: they are its own, whatever these axes say.
+// A yardstick's traversal, methods and types: they are its own, whatever these axes say.
 inline constexpr const char* own_way = "own";
 
 // Who traces it.
@@ -37,8 +37,9 @@ struct Contender {
     std::string launch{};  // of a frame on a GPU; else empty
     std::string triangle_test = of_bundle, sphere_test = of_bundle, box_test = of_bundle;
     std::string offset = of_bundle;
-    std::uint32_t bounce_limit = 0;  // of a frame; 0: the config's `bounces`
-    bool roulette = false;           // of a frame
+    std::uint32_t bounce_limit = 0;      // of a frame; 0: the config's `bounces`
+    bool roulette = false;               // of a frame
+    std::string types = types_of_scene;  // that it is compiled for; own_way for a yardstick
 
     // Whether whole frames are measured rather than the intersection of recorded rays.
     bool renders() const { return shade != no_shade; }
@@ -58,8 +59,10 @@ struct Contender {
     std::string label_on_backend() const;
     // The strategy with what belongs to it: `restart_fresh_t`, `restart+sort`.
     std::string strategy_name() const;
-    // `/pluecker/limit4/roulette`: what is neither strategy, traversal, methods nor launch and has not its
-    // default.
+    // `/all`; nothing for the default.
+    std::string types_part() const;
+    // `/pluecker/limit4/roulette`: what is neither strategy, traversal, methods, types nor launch and has not
+    // its default.
     std::string exchanged() const;
     bool operator==(const Contender&) const = default;
 };
@@ -81,9 +84,10 @@ struct WorkloadCells {
 
 // Cells in the order of axes.h, an axis' values in the order written; then those of `include`. An axis that
 // means nothing for a cell makes no further cells: restart_carries_t but for restart, sphere_radius without
-// spheres, traversal and methods for yardsticks, launch but for frames on a GPU, offset but for frames and
-// in a stability study, all of a contender if nothing is measured. A yardstick is a cell on its own backend
-// alone. In a stability study the workloads are the config's `stress`, each with those who can meet it.
+// spheres, traversal, methods and types for yardsticks, launch but for frames on a GPU, offset but for frames
+// and in a stability study, all of a contender if nothing is measured. A yardstick is a cell on its own
+// backend alone. In a stability study the workloads are the config's `stress`, each with those who can meet
+// it.
 std::vector<Cell> expand(const Config& config, const KnownNames& known);
 
 // The cells of these axes alone, in a config like this.

@@ -13,6 +13,7 @@
 namespace ctpbench {
 
 class JsonDocument;
+struct Cell;
 struct Contender;
 
 inline constexpr int config_schema_version = 1;
@@ -77,10 +78,13 @@ struct KnownNames {
     std::vector<std::string> builders;
     std::vector<std::string> shades;
     std::vector<std::string> backends = {"cpu", "cuda"};
+    std::vector<std::string> types;
     std::vector<std::string> launches = {"isolated", "concurrent", "graph"};
     std::vector<std::string> triangle_tests, sphere_tests, box_tests, offsets;
     // Why a contender cannot be had, and what can; empty if it can. No function: all can be.
-    std::function<std::string(const Contender&)> obstacle;
+    std::function<std::string(const Cell&)> obstacle;
+    // Whether a backend has the contender; those that it has not are no cells. No function: it has all.
+    std::function<bool(const Contender&)> available;
     struct Stress {
         std::string name;
         std::vector<std::string> kinds;  // of methods that can meet it, as Contender::kind() calls them
@@ -92,6 +96,7 @@ struct KnownNames {
     std::vector<std::string> speed_tables = {"table3"};             // need measurements of intersect
     std::vector<std::string> frame_tables = {"table1", "figure4"};  // need rendered frames
     std::vector<std::string> failure_tables = {"pareto"};           // intersect, and failures beside it
+    std::vector<std::string> type_tables = {"narrowing", "types"};  // either
 
     const Yardstick* yardstick(const std::string& name) const;  // null: there is none of this name
     std::vector<std::string> all_strategies() const;

@@ -104,7 +104,7 @@ void check_obstacles(const JsonObject& root, const std::vector<Cell>& cells, con
     if (!known.obstacle) return;
     std::set<std::string> reasons;
     for (const Cell& cell : cells) {
-        const std::string why = cell.contender ? known.obstacle(*cell.contender) : "";
+        const std::string why = cell.contender ? known.obstacle(cell) : "";
         if (!why.empty() && reasons.insert(why).second)
             root.value("matrix").error(cell.name() + " cannot be had: " + why);
     }
@@ -162,6 +162,20 @@ void check_cells(const JsonObject& root, const KnownNames& known, Config& config
         if (!any(false) && element.read(table) && is_among(known.failure_tables, table))
             element.error("needs recorded rays; add \"none\" to /matrix/shade");
     }
+    const auto has_types = [&](const auto& is_wanted) {
+        return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
+            return cell.contender && is_wanted(cell.contender->types);
+        });
+    };
+    for (const JsonValue& element : root.list("tables")) {
+        std::string table;
+        if (!element.read(table)) continue;
+        const auto is = [](const char* name) { return [name](const std::string& t) { return t == name; }; };
+        if (table == "narrowing" && !(has_types(is("all")) && has_types(is("scene"))))
+            element.error("compares types \"all\" with \"scene\"; name both in /matrix/types");
+        if (table == "types" && !has_types(is("synthetic_1")))
+            element.error("compares with one type; name \"synthetic_1\" and others in /matrix/types");
+    }
     const bool counts_failures =
         std::any_of(config.tables.begin(), config.tables.end(),
                     [&](const std::string& table) { return is_among(known.failure_tables, table); });
@@ -195,7 +209,8 @@ std::vector<std::string> KnownNames::all_strategies() const {
 }
 std::vector<std::string> KnownNames::all_shades() const { return joined({no_shade}, shades); }
 std::vector<std::string> KnownNames::all_tables() const {
-    return joined(joined(joined(tree_tables, speed_tables), frame_tables), failure_tables);
+    return joined(joined(joined(joined(tree_tables, speed_tables), frame_tables), failure_tables),
+                  type_tables);
 }
 
 Config read_config(JsonDocument document, const KnownNames& known) {

@@ -69,26 +69,30 @@ std::string Contender::label_on_backend() const {
     if (!launch.empty() && launch != defaults().launch.front()) label += "/" + launch;
     if (traversal != own_way && traversal != defaults().traversal.front()) label += "/" + traversal;
     if (!is_yardstick() && methods != defaults().methods.front()) label += "/" + methods;
-    return label + exchanged();
+    return label + types_part() + exchanged();
+}
+
+std::string Contender::types_part() const {
+    return types == own_way || types == defaults().types.front() ? "" : "/" + types;
 }
 
 std::string Cell::name() const {
     if (!contender) return workload.name();
     const Contender& c = *contender;
     return workload.name() + "/" + c.backend + "/" + c.strategy_name() + "/" + c.traversal + "/" + c.methods +
-           c.exchanged() + (c.launch.empty() ? "" : "/" + c.launch);
+           c.types_part() + c.exchanged() + (c.launch.empty() ? "" : "/" + c.launch);
 }
 
 std::string format_cells(const std::vector<Cell>& cells) {
     std::vector<std::vector<std::string>> rows = {{"scene", "spheres", "sphere_radius", "builder", "backend",
-                                                   "contender", "traversal", "methods", "launch"}};
+                                                   "contender", "traversal", "methods", "types", "launch"}};
     for (const Cell& cell : cells) {
         const Workload& w = cell.workload;
         rows.push_back(
             {w.scene, std::to_string(w.spheres), w.spheres > 0 ? shortest(w.sphere_radius) : "-", w.builder});
         if (const auto& c = cell.contender) {
             for (const std::string& column :
-                 {c->backend, c->strategy_name(), c->traversal, c->methods + c->exchanged(),
+                 {c->backend, c->strategy_name(), c->traversal, c->methods + c->exchanged(), c->types,
                   c->launch.empty() ? std::string("-") : c->launch}) {
                 rows.back().push_back(column);
             }

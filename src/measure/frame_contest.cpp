@@ -6,6 +6,7 @@
 #include "measure/frame_series.h"
 #include "measure/rounds.h"
 #include "wavefront/methods.h"
+#include "wavefront/type_choice.h"
 
 namespace ctpbench {
 namespace {
@@ -32,7 +33,9 @@ bool starts_are_sound(const Contender& c) { return offset_of(c.methods, c.offset
 }  // namespace
 
 std::string pictures_of(const Contender& c, bool exact) {
-    return exact ? c.backend + "/" + c.methods + c.exchanged() : c.label();
+    // Synthetic materials draw random numbers of their own; narrowed kernels show what full ones do.
+    const std::string materials = type_choice(c.types).synthetic.any() ? c.types_part() : "";
+    return exact ? c.backend + "/" + c.methods + materials + c.exchanged() : c.label();
 }
 
 FrameContest::FrameContest(const GeometryView& geometry, CpuBackend& backend, const Intersector* oracle,

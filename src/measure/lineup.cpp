@@ -17,13 +17,15 @@ TreeResult describe(const Workload& workload, const std::string& kind, const Tre
     return r;
 }
 
-const Intersector& Lineup::get(const std::string& strategy, const std::string& methods) {
-    std::unique_ptr<Intersector>& made = made_[strategy + "/" + methods];
-    if (!made) made = make(strategy, methods);
+const Intersector& Lineup::get(const std::string& strategy, const std::string& methods,
+                               const std::string& types) {
+    std::unique_ptr<Intersector>& made = made_[strategy + "/" + methods + "/" + types];
+    if (!made) made = make(strategy, methods, types);
     return *made;
 }
 
-std::unique_ptr<Intersector> Lineup::make(const std::string& strategy, const std::string& methods) {
+std::unique_ptr<Intersector> Lineup::make(const std::string& strategy, const std::string& methods,
+                                          const std::string& types) {
     for (const EmbreeContender& e : embree_contenders()) {
         if (e.name != strategy) continue;
         step_("building Embree's tree (" + e.name + ")");
@@ -36,7 +38,7 @@ std::unique_ptr<Intersector> Lineup::make(const std::string& strategy, const std
         return embree;
     }
     step_("laying out " + strategy);
-    return make_intersector(strategy, methods, input_);
+    return make_intersector(strategy, methods, scenes_.layout(types));
 }
 
 }  // namespace ctpbench

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "measure/results.h"
-#include "wavefront/forest.h"
 #include "wavefront/intersector.h"
+#include "wavefront/typed_scenes.h"
 
 namespace ctpbench {
 
@@ -21,23 +21,25 @@ class Lineup {
 public:
     // All of these must outlive the lineup. `step` is told what is being made; trees of Embree's are added to
     // the results.
-    Lineup(const Workload& workload, const Scene& scene, const LayoutInput& input, int threads,
-           Results& results, std::function<void(const std::string&)> step)
+    Lineup(const Workload& workload, const Scene& scene, TypedScenes& scenes, int threads, Results& results,
+           std::function<void(const std::string&)> step)
         : workload_(workload),
           scene_(scene),
-          input_(input),
+          scenes_(scenes),
           threads_(threads),
           results_(results),
           step_(std::move(step)) {}
 
-    const Intersector& get(const std::string& strategy, const std::string& methods);
+    // `types`: one of type_choices(); no matter for Embree.
+    const Intersector& get(const std::string& strategy, const std::string& methods, const std::string& types);
 
 private:
-    std::unique_ptr<Intersector> make(const std::string& strategy, const std::string& methods);
+    std::unique_ptr<Intersector> make(const std::string& strategy, const std::string& methods,
+                                      const std::string& types);
 
     const Workload& workload_;
     const Scene& scene_;
-    const LayoutInput& input_;
+    TypedScenes& scenes_;
     int threads_;
     Results& results_;
     std::function<void(const std::string&)> step_;

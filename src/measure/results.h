@@ -11,6 +11,8 @@
 #include "config/cells.h"
 #include "measure/bounded_value.h"
 #include "measure/exam.h"
+#include "scene/columns.h"
+#include "scene/needs.h"
 
 namespace ctpbench {
 
@@ -58,6 +60,7 @@ struct CellResult {
     Verdict verdict;
     std::optional<Accuracy> accuracy;                    // where failures are counted beside the speed
     std::vector<KernelSeries> kernels;                   // in the order of the pipeline
+    std::size_t layout_bytes = 0;                        // on a CPU, beside the trees; 0: not known
     std::uint64_t image_hash = 0;                        // of a frame contest, after the last whole round
     std::uint32_t samples = 0;                           // per pixel in that image
     std::uint64_t shaded = 0, dropped = 0, clamped = 0;  // over all rounds
@@ -104,6 +107,9 @@ struct SceneResult {
     std::string source;
     std::size_t triangles = 0, dropped_triangles = 0;
     std::uint64_t hash = 0;
+    SceneNeeds needs;
+    SceneSavings savings;
+    std::vector<SceneColumn> columns;
     double sphere_hit_share = 0.0;  // of the rays that hit anything, over all bounces
 };
 

@@ -3,8 +3,7 @@
 
 #include "oracle/exact_tracer.h"
 #include "stress/workload.h"
-#include "wavefront/forest.h"
-#include "wavefront/scene_view.h"
+#include "wavefront/typed_scenes.h"
 
 namespace ctpbench {
 
@@ -16,7 +15,8 @@ public:
 
     const StressWorkload& workload() const { return workload_; }
     const SceneView& view() const { return view_; }
-    const LayoutInput& layout() const { return layout_; }
+    TypedScenes& scenes() { return scenes_; }
+    const LayoutInput& layout() { return scenes_.layout(kTypesOfScene); }
     const Judge& judge() const { return judge_; }
     const ExactTracer& exact() const { return exact_; }
 
@@ -24,7 +24,7 @@ private:
     StressWorkload workload_;
     SceneView view_;
     Forest forest_;
-    LayoutInput layout_;
+    TypedScenes scenes_;
     Judge judge_;
     ExactTracer exact_;
 };

@@ -3,23 +3,55 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
+#include "kernels/materials/list.h"
+#include "kernels/primitives/list.h"
 #include "measure/machine.h"
 
 namespace ctpbench {
+namespace {
+
+// Of the types whose position in the list has its bit set.
+template <class List>
+nlohmann::json names_of(std::uint32_t bits) {
+    nlohmann::json names = nlohmann::json::array();
+    for_each_type(List{}, [&](auto tag) {
+        using T = typename decltype(tag)::type;
+        if (bits >> index_of<T, List> & 1u) names.push_back(T::name);
+    });
+    return names;
+}
+
+nlohmann::json scene_json(const SceneResult& s) {
+    nlohmann::json bytes = nlohmann::json::object();
+    for (const SceneColumn& column : s.columns) bytes[column.name] = column.bytes;
+    return {{"name", s.name},
+            {"spheres", s.spheres},
+            {"source", s.source},
+            {"triangles", s.triangles},
+            {"dropped_triangles", s.dropped_triangles},
+            {"hash", hex(s.hash)},
+            {"sphere_hit_share", s.sphere_hit_share},
+            {"needs",
+             {{"primitives", names_of<Primitives<Watertight>>(s.needs.primitives)},
+              {"materials", names_of<Materials>(s.needs.materials)},
+              {"textured", s.needs.textured}}},
+            {"dropped",
+             {{"unused_vertices", s.savings.unused_vertices},
+              {"unused_texcoords", s.savings.unused_texcoords},
+              {"unused_materials", s.savings.unused_materials},
+              {"merged_materials", s.savings.merged_materials}}},
+            {"bytes", bytes}};
+}
+
+}  // namespace
+
 std::string meta_json(const Config& config, const Results& results, const std::string& run_id,
                       const std::string& state, const std::string& command, int threads,
                       const CudaDevice* device) {
     const nlohmann::json effective = to_json(config);
     const std::string text = effective.dump();
     nlohmann::json scenes = nlohmann::json::array(), trees = nlohmann::json::array();
-    for (const SceneResult& s : results.scenes)
-        scenes.push_back({{"name", s.name},
-                          {"spheres", s.spheres},
-                          {"source", s.source},
-                          {"triangles", s.triangles},
-                          {"dropped_triangles", s.dropped_triangles},
-                          {"hash", hex(s.hash)},
-                          {"sphere_hit_share", s.sphere_hit_share}});
+    for (const SceneResult& s : results.scenes) scenes.push_back(scene_json(s));
     for (const TreeResult& t : results.trees)
         if (t.nodes > 0)
             trees.push_back({{"workload", t.workload.name()}, {"kind", t.kind}, {"hash", hex(t.hash)}});

@@ -10,6 +10,7 @@
 #include "scene/scene_file.h"
 #include "scene/spheres.h"
 #include "scene/textures.h"
+#include "scene/trim.h"
 
 namespace ctpbench {
 namespace {
@@ -197,6 +198,7 @@ Scene load_scene(const SceneRequest& request, Notices& notices) {
     scene.name = request.name;
     auto placed = add_chosen_geometry(scene, file, request.choice, folders, notices);
     add_spheres(scene, std::move(placed), file.spheres, request);
+    trim(scene);
     scene.content_hash = content_hash(scene);
     return scene;
 }

@@ -23,7 +23,8 @@ struct SceneRequest {
 
 // Triangles, then the spheres that are placed, then those scattered in the triangles' bounds, all of one
 // material. The light, the exposure and the placed spheres are those of the file that the triangles come
-// from. Throws Error(scene_missing) if the mesh cannot be found and Error(usage) if a file is wrong.
+// from. What no ray can ask for is left out (trim.h), so of materials alike only the first's name is there.
+// Throws Error(scene_missing) if the mesh cannot be found and Error(usage) if a file is wrong.
 Scene load_scene(const SceneRequest& request, Notices& notices);
 
 }  // namespace ctpbench

@@ -15,4 +15,11 @@ Box scene_bounds(const Scene& scene) {
     return bounds;
 }
 
+std::vector<bool> used_materials(const Scene& scene) {
+    std::vector<bool> used(scene.materials.size());
+    for (const std::uint32_t material : scene.mesh.material) used[material] = true;
+    if (!scene.spheres.empty()) used[scene.sphere_material] = true;
+    return used;
+}
+
 }  // namespace ctpbench

@@ -44,6 +44,15 @@ struct Camera {
 
 enum class SceneSource { mesh, stand_in };
 
+// What loading took out of a scene since no ray can ask for it (trim.h).
+struct SceneSavings {
+    std::size_t unused_vertices = 0;
+    std::size_t unused_texcoords = 0;  // triangles that had some
+    std::size_t unused_materials = 0;
+    std::size_t merged_materials = 0;  // into an earlier one that behaves alike
+    bool operator==(const SceneSavings&) const = default;
+};
+
 struct Scene {
     std::string name;                        // as the config names it
     SceneSource source = SceneSource::mesh;  // where its triangles come from
@@ -56,10 +65,14 @@ struct Scene {
     Camera camera;
     float exposure = 1.0f;              // by which pictures for the eye are multiplied
     std::size_t dropped_triangles = 0;  // NaN, infinite or absurdly large vertices; zero area
-    std::uint64_t content_hash = 0;     // of triangles, materials and spheres
+    SceneSavings savings;
+    std::uint64_t content_hash = 0;  // of triangles, materials and spheres
 };
 
 // Bounds of all triangles and spheres.
 Box scene_bounds(const Scene& scene);
+
+// Of each material, whether some triangle has it or, if there are any, the spheres.
+std::vector<bool> used_materials(const Scene& scene);
 
 }  // namespace ctpbench

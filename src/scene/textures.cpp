@@ -84,13 +84,13 @@ std::string counted(std::size_t materials) {
 }  // namespace
 
 void load_textures(Scene& scene, const std::vector<TextureFiles>& files, Notices& notices) {
+    const std::vector<bool> used = used_materials(scene);
     std::vector<std::size_t> textured;
     for (std::size_t i = 0; i < files.size(); ++i) {
-        if (files[i].any() && looks_at_textures(scene.materials[i])) textured.push_back(i);
+        if (files[i].any() && used[i] && looks_at_textures(scene.materials[i])) textured.push_back(i);
     }
-    if (textured.empty()) {
-        // There is nothing to say.
-    } else if (scene.mesh.texcoords.empty()) {
+    if (textured.empty()) return;
+    if (scene.mesh.texcoords.empty()) {
         notices.push_back(counted(textured.size()) +
                           " textures, but the mesh has no texture coordinates (vt), so they keep their plain "
                           "colour Kd");
@@ -103,7 +103,6 @@ void load_textures(Scene& scene, const std::vector<TextureFiles>& files, Notices
         for (const std::size_t i : textured) scene.materials[i].look.texture = loader.load(files[i]);
         loader.notice_failures(notices);
     }
-    if (scene.texels.empty()) scene.mesh.texcoords = {};
 }
 
 }  // namespace ctpbench

@@ -17,9 +17,9 @@ struct TextureFiles {
     auto operator<=>(const TextureFiles&) const = default;
 };
 
-// Gives scene.materials[i] the texture of files[i] if its type looks at one, which matte and plastic do. A
-// mask becomes the texture's alpha; without a colour image the texture is white. Afterwards the mesh has
-// texture coordinates if and only if some material has a texture.
+// Gives scene.materials[i] the texture of files[i] if it is used and its type looks at one, which matte and
+// plastic do; no other images are read. A mask becomes the texture's alpha; without a colour image the
+// texture is white.
 //
 // Images that cannot be read are noticed, and so is a mesh without texture coordinates; the materials
 // concerned keep their plain colour. Throws Error(usage) for images that are too large.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "kernels/registry.h"
+#include "wavefront/counting_place.h"
 #include "wavefront/intersector_groups.h"
+#include "wavefront/placed_layouts.h"
 
 namespace ctpbench {
 
@@ -22,17 +24,29 @@ public:
     }
     bool excludes() const override { return Methods::excludes; }
     std::size_t bytes() const override { return layout_.bytes(); }
+    void count(const LayoutInput& input, const CountingPlace& place) const override {
+        layout_in<Strategy>(place, input, &layout_);
+    }
 
 private:
     typename Strategy::Layout layout_;
 };
 
+template <class Methods, class Types>
+std::unique_ptr<Intersector> make_with_types(std::string_view strategy, const LayoutInput& input) {
+    std::unique_ptr<Intersector> made;
+    for_each_type(IntersectStrategies<Methods, Types>{}, [&](auto tag) {
+        using Strategy = typename decltype(tag)::type;
+        if (strategy == Strategy::name) made = std::make_unique<CpuIntersector<Strategy, Methods>>(input);
+    });
+    return made;
+}
+
 template <class Bundle>
 std::unique_ptr<Intersector> make_with_bundle(std::string_view strategy, const LayoutInput& input) {
     std::unique_ptr<Intersector> made;
-    for_each_type(IntersectStrategies<Bundle>{}, [&](auto tag) {
-        using Strategy = typename decltype(tag)::type;
-        if (strategy == Strategy::name) made = std::make_unique<CpuIntersector<Strategy, Bundle>>(input);
+    visit_filtered<Primitives<Bundle>>(input.types, [&](auto list) {
+        made = make_with_types<Bundle, typename decltype(list)::type>(strategy, input);
     });
     return made;
 }
@@ -44,7 +58,10 @@ std::unique_ptr<Intersector> make_with_tests(std::string_view key, const LayoutI
         using Methods = typename decltype(tag)::type;
         if constexpr (!is_bundle<Methods>)
             if (key == tests_key<Methods>())
-                made = std::make_unique<CpuIntersector<Ctp<Methods>, Methods>>(input);
+                visit_filtered<Primitives<Methods>>(input.types, [&](auto list) {
+                    using Strategy = Ctp<Methods, typename decltype(list)::type>;
+                    made = std::make_unique<CpuIntersector<Strategy, Methods>>(input);
+                });
     });
     return made;
 }

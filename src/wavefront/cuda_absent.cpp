@@ -5,8 +5,6 @@
 namespace ctpbench {
 
 // Nobody gets here: use_cuda_device() has refused before.
-std::unique_ptr<CudaWorkload> make_cuda_workload(const SceneView&, const LayoutInput&, std::vector<Batch>&) {
-    trap();
-}
+std::unique_ptr<CudaWorkload> make_cuda_workload(TypedScenes&, std::vector<Batch>&, std::uint32_t) { trap(); }
 
 }  // namespace ctpbench

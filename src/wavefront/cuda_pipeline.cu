@@ -7,16 +7,20 @@
 namespace ctpbench {
 
 CudaPipeline::CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr<DeviceShader> shader,
-                           CudaLaunch launch, PlacedWavefront& wavefront, const SceneView& scene,
-                           const Camera& camera, const FrameSettings& settings)
+                           const MaterialWords& words, CudaLaunch launch, PlacedWavefront& wavefront,
+                           const SceneView& scene, const Camera& camera, const FrameSettings& settings)
     : intersector_(intersector),
       shader_(std::move(shader)),
+      words_(words),
       launch_(launch),
       wavefront_(wavefront),
       camera_(camera_frame(camera.eye, camera.target, camera.up, camera.fov_degrees, settings.width,
                            settings.height)),
       settings_(settings),
-      ambient_(scene.ambient()) {
+      ambient_(scene.ambient()),
+      streams_(shader_->kernels()),
+      joined_(shader_->kernels()),
+      part_names_(shader_->kernels()) {
     if (shader_->excludes() && !intersector_.excludes()) trap();  // every hit would be suspect
     for (std::uint32_t k = 0; k < shader_->kernels(); ++k)
         if (const char* name = shader_->kernel_name(k)) part_names_[k] = std::string("shade_") + name;
@@ -76,11 +80,11 @@ void CudaPipeline::generate(std::uint32_t sample) {
 void CudaPipeline::intersect(std::uint32_t bounce, bool carry_t) {
     PlacedWavefront& w = wavefront_;
     IntersectBuffers io{w.rays, w.hits, w.index[current_], w.pixels, w.geometry.extent};
-    io.keys.words = w.words;
+    io.keys.words = words_;
     io.excluded = excluded();
     if (sorts()) io.keys.keys = w.keys;
     if (shader_->order() == PathOrder::queued)
-        io.keys.queues = {w.queue_slots, &counts(bounce)->queues, w.pixels};
+        io.keys.queues = {w.queue_slots, counts(bounce)->queues, w.pixels};
     clock_.time("intersect", bounce, stream_.get(), [&] {
         intersector_.intersect(stream_.get(), io, {w.pixels, &counts(bounce)->active}, carry_t);
     });
@@ -100,8 +104,9 @@ void CudaPipeline::sort(std::uint32_t bounce) {
     const std::uint32_t* from = restored ? w.identity : w.index[current_];
     std::uint32_t* to = restored ? w.positions : w.index[1 - current_];
     clock_.time("sort", bounce, stream_.get(), [&] {
-        reorder<ByShadeKey>(stream_.get(), w.pixels, {w.keys, &counts(bounce)->active, w.tile_places}, from,
-                            to, counts(bounce)->sorted, "sort");
+        sort_by_shade_key(stream_.get(), w.pixels,
+                          {w.keys, &counts(bounce)->active, w.tile_places, words_.keys()}, from, to,
+                          counts(bounce)->sorted);
     });
     if (!restored) current_ = 1 - current_;
 }
@@ -110,7 +115,7 @@ void CudaPipeline::shade(std::uint32_t bounce, std::uint32_t sample) {
     PlacedWavefront& w = wavefront_;
     const ShadeBuffers io{w.geometry,
                           w.attributes,
-                          w.words,
+                          words_,
                           w.rays,
                           w.hits,
                           w.paths,
@@ -126,7 +131,7 @@ void CudaPipeline::shade(std::uint32_t bounce, std::uint32_t sample) {
                                &counts(bounce)->active,
                                counts(bounce)->sorted,
                                shader_->order() == PathOrder::restored ? w.positions : nullptr,
-                               {w.queue_slots, &counts(bounce)->queues, w.pixels},
+                               {w.queue_slots, counts(bounce)->queues, w.pixels},
                                w.index[1 - current_],
                                &counts(bounce + 1)->active,
                                &counts(bounce)->dropped};
@@ -153,7 +158,7 @@ void CudaPipeline::compact(std::uint32_t bounce) {
     PlacedWavefront& w = wavefront_;
     // Sorted paths that hit nothing are at the end, and none of them goes on.
     const bool sorted = shader_->order() == PathOrder::sorted;
-    const std::uint32_t* n = sorted ? counts(bounce)->sorted + kMissKey : &counts(bounce)->active;
+    const std::uint32_t* n = sorted ? counts(bounce)->sorted + words_.miss_key() : &counts(bounce)->active;
     clock_.time("compact", bounce, stream_.get(), [&] {
         reorder<ByFate>(stream_.get(), w.pixels, {w.fates, n, w.tile_places}, w.index[current_],
                         w.index[1 - current_], counts(bounce)->compacted, "compact");

@@ -2,8 +2,8 @@
 // many paths are active is the device's own knowledge.
 #pragma once
 
-#include <array>
 #include <memory>
+#include <vector>
 
 #include "kernels/generate.h"
 #include "wavefront/cuda_stage_times.cuh"
@@ -18,9 +18,10 @@ namespace ctpbench {
 class CudaPipeline final : public FramePipeline {
 public:
     // Intersector and buffers must outlive it.
+    // The words are the device's, of the table that the shader was made from.
     CudaPipeline(const DeviceIntersector& intersector, std::unique_ptr<DeviceShader> shader,
-                 CudaLaunch launch, PlacedWavefront& wavefront, const SceneView& scene, const Camera& camera,
-                 const FrameSettings& settings);
+                 const MaterialWords& words, CudaLaunch launch, PlacedWavefront& wavefront,
+                 const SceneView& scene, const Camera& camera, const FrameSettings& settings);
 
     std::vector<StageTime> frame(bool carry_t, std::uint32_t sample, ImageStorage& image,
                                  const BounceObserver& observe) override;
@@ -41,6 +42,7 @@ private:
 
     const DeviceIntersector& intersector_;
     std::unique_ptr<DeviceShader> shader_;
+    MaterialWords words_;
     CudaLaunch launch_;
     PlacedWavefront& wavefront_;
     CameraFrame camera_;
@@ -49,9 +51,9 @@ private:
     std::uint32_t current_ = 0;  // of the two index buffers
 
     DeviceStream stream_;
-    std::array<DeviceStream, kShadeKeys> streams_;  // of the kernels of one type each
+    std::vector<DeviceStream> streams_;  // of the kernels of one type each
     DeviceEvent forked_;
-    std::array<DeviceEvent, kShadeKeys> joined_;
+    std::vector<DeviceEvent> joined_;
     FrameClock clock_;
     ShadePartNames part_names_;
     FrameGraph graph_;

@@ -22,9 +22,9 @@ std::vector<StageTime> stage_times(const FrameClock& clock, const PlacedWavefron
             stage.dropped = queued ? counted.dropped : counted.compacted[2] - counted.compacted[1];
         if (kernel == "blend")
             for (const std::uint8_t c : clamped) stage.clamped += c;
-        for (std::uint32_t k = 0; k < kShadeKeys; ++k)
+        for (std::uint32_t k = 0; k < parts.size(); ++k)
             if (kernel == parts[k])
-                stage.rays = queued ? counted.queues.of[k] : counted.sorted[k + 1] - counted.sorted[k];
+                stage.rays = queued ? counted.queues[k] : counted.sorted[k + 1] - counted.sorted[k];
         if (stage.rays > 0) times.push_back(stage);
     }
     return times;

@@ -1,7 +1,6 @@
 // What a frame on a CUDA device reports of its stages, from its clock and from what the device has counted.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,7 @@
 namespace ctpbench {
 
 // The names of the parts of shade that have streams of their own, by key; empty: it has no parts.
-using ShadePartNames = std::array<std::string, kShadeKeys>;
+using ShadePartNames = std::vector<std::string>;
 
 // After the frame has ended and its counts are the host's. Stages that no path reached are left out. Names
 // point into `parts`.

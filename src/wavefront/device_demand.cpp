@@ -1,32 +1,47 @@
 #include "wavefront/device_demand.h"
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "kernels/yardstick/while_while.h"
 #include "wavefront/counting_place.h"
+#include "wavefront/intersector.h"
 #include "wavefront/placed_batches.h"
-#include "wavefront/placed_layouts.h"
-#include "wavefront/placed_materials.h"
 #include "wavefront/placed_wavefront.h"
+#include "wavefront/shader.h"
 
 namespace ctpbench {
 
-std::size_t bytes_demanded(const DeviceDemand& demand, const SceneView& scene, const LayoutInput& layout,
+std::size_t bytes_demanded(const DeviceDemand& demand, TypedScenes& scenes,
                            const std::vector<Batch>& batches) {
     const CountingPlace place;
     batches_in(place, batches);
-    for (const auto& [strategy, methods] : demand.intersectors)
-        visit_intersect_strategy(strategy, methods, [&](auto tag, auto bundle) {
-            layout_in<typename decltype(tag)::type, typename decltype(bundle)::type>(place, layout);
-        });
+    for (const auto& [strategy, methods, types] : demand.intersectors) {
+        const LayoutInput& layout = scenes.layout(types);
+        if (strategy == WhileWhile::name)
+            WhileWhile::Layout(layout).view(place);
+        else
+            make_intersector(strategy, methods, layout)->count(layout, place);
+    }
     if (demand.frames) {
-        PlacedWavefront wavefront = wavefront_in(place, scene, *demand.frames);
+        PlacedWavefront wavefront =
+            wavefront_in(place, scenes.view(), *demand.frames, shade_keys(demand, scenes));
         if (demand.excludes) add_excluded(place, wavefront);
     }
-    for (const std::string& name : demand.shaders)
-        for_each_type(ShadeStrategies{}, [&](auto tag) {
-            using Strategy = typename decltype(tag)::type;
-            if (name == Strategy::name) materials_in<Strategy>(place, scene.materials());
-        });
+    std::set<const MaterialTable*> tables;
+    for (const DeviceDemand::Shader& shader : demand.shaders) {
+        const MaterialTable& table = scenes.materials(shader.types, shader.offset);
+        if (tables.insert(&table).second) words_in(place, table);
+        make_shader(shader.strategy, table, shader.offset)->count(table.input(), place);
+    }
     return place.bytes();
+}
+
+std::uint32_t shade_keys(const DeviceDemand& demand, TypedScenes& scenes) {
+    std::uint32_t keys = 0;
+    for (const DeviceDemand::Shader& shader : demand.shaders)
+        keys = std::max(keys, scenes.materials(shader.types, shader.offset).words().keys());
+    return keys;
 }
 
 void require_device_memory(const std::string& workload, std::size_t bytes, const CudaMemory& memory) {

@@ -3,31 +3,36 @@
 // device.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "backends/cuda.h"
-#include "kernels/dispatch/layout.h"
 #include "wavefront/batch.h"
 #include "wavefront/frame.h"
-#include "wavefront/scene_view.h"
+#include "wavefront/typed_scenes.h"
 
 namespace ctpbench {
 
 struct DeviceDemand {
-    std::set<std::pair<std::string, std::string>>
-        intersectors;                     // strategy, methods: shared by all that have both
-    std::vector<std::string> shaders;     // of each pipeline
+    struct Shader {
+        std::string strategy, types, offset;
+    };
+    // Strategy, methods, types: shared by all that have the same.
+    std::set<std::array<std::string, 3>> intersectors;
+    std::vector<Shader> shaders;          // of each pipeline
     std::optional<FrameSettings> frames;  // none: there are no pipelines
     bool excludes = false;                // whether paths of one leave out what they come from
 };
 
 // Of a CudaWorkload with these contenders. Lays them out as the workload will, on the host and one at a time.
-std::size_t bytes_demanded(const DeviceDemand& demand, const SceneView& scene, const LayoutInput& layout,
+std::size_t bytes_demanded(const DeviceDemand& demand, TypedScenes& scenes,
                            const std::vector<Batch>& batches);
+
+// The most keys that any of these shaders tells paths apart by.
+std::uint32_t shade_keys(const DeviceDemand& demand, TypedScenes& scenes);
 
 // Throws Error(no_backend) with the bytes needed and free unless `bytes` fit beside what the driver takes.
 void require_device_memory(const std::string& workload, std::size_t bytes, const CudaMemory& memory);

@@ -12,6 +12,7 @@ std::unique_ptr<DeviceIntersector> make_device_intersector(const DevicePlace& pl
                                                            const LayoutInput& input) {
     if (strategy == WhileWhile::name) return make_device_yardstick(place, input);
     std::unique_ptr<DeviceIntersector> made;
+    if (input.synthetic.any()) trap();  // type_choice.h
     for_each_type(MethodBundles{}, [&](auto tag) {
         using Bundle = typename decltype(tag)::type;
         if (methods == Bundle::name) made = make_on_device_with_bundle<Bundle>(place, strategy, input);

@@ -28,10 +28,11 @@ private:
 };
 
 // A kernel per type, and one for paths that hit nothing.
-template <class Offset>
+template <class Offset, class Types>
 class KernelPerType final : public DeviceShader {
 public:
-    KernelPerType(PathOrder order, const TypedMaterialArrays::View& view) : order_(order), view_(view) {
+    KernelPerType(PathOrder order, const typename TypedMaterialArrays<Types>::View& view)
+        : order_(order), view_(view) {
         int device = 0, multiprocessors = 0;
         check_cuda(cudaGetDevice(&device), "asking for the device");
         check_cuda(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, device),
@@ -41,21 +42,21 @@ public:
 
     PathOrder order() const override { return order_; }
     bool excludes() const override { return Offset::excludes; }
-    std::uint32_t kernels() const override { return kShadeKeys; }
+    std::uint32_t kernels() const override { return Types::size + 1; }
     const char* kernel_name(std::uint32_t kernel) const override {
         const char* name = "miss";
-        for_each_type(Materials{}, [&](auto tag) {
+        for_each_type(Types{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
-            if (kernel == material_type<T>) name = T::name;
+            if (kernel == index_of<T, Types>) name = T::name;
         });
         return name;
     }
     void launch(std::uint32_t kernel, cudaStream_t stream, const ShadeBuffers& io,
                 const DeviceShadeWork& work) const override {
-        if (kernel == kMissKey) launch_key(kernel, Outside{}, stream, io, work);
-        for_each_type(Materials{}, [&](auto tag) {
+        if (kernel == Types::size) launch_key(kernel, Outside{}, stream, io, work);
+        for_each_type(Types{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
-            if (kernel == material_type<T>) launch_key(kernel, view_.template of<T>(), stream, io, work);
+            if (kernel == index_of<T, Types>) launch_key(kernel, view_.template of<T>(), stream, io, work);
         });
     }
 
@@ -70,7 +71,7 @@ private:
             launch_list(
                 ShadeQueue<Shading, Offset>{
                     shading, io, work.queues.slots + std::size_t{key} * work.queues.capacity,
-                    &work.queues.counts->of[key], work.survivors, work.survivor_count, work.dropped},
+                    work.queues.counts + key, work.survivors, work.survivor_count, work.dropped},
                 stream, work);
     }
     template <class Kernel>
@@ -82,22 +83,32 @@ private:
     }
 
     PathOrder order_;
-    TypedMaterialArrays::View view_;
+    typename TypedMaterialArrays<Types>::View view_;
     std::uint32_t most_blocks_ = 0;
 };
 
-template <class Offset>
-std::unique_ptr<DeviceShader> make_on_device_with_offset(const DevicePlace& place, std::string_view strategy,
-                                                         const MaterialInput& materials) {
+template <class Offset, class Types>
+std::unique_ptr<DeviceShader> shader_with_types(const DevicePlace& place, std::string_view strategy,
+                                                const MaterialInput& materials) {
     std::unique_ptr<DeviceShader> made;
-    for_each_type(ShadeStrategies{}, [&](auto tag) {
+    for_each_type(ShadeStrategies<Types>{}, [&](auto tag) {
         using Strategy = typename decltype(tag)::type;
         if (strategy != Strategy::name) return;
         const auto view = materials_in<Strategy>(place, materials);
         if constexpr (Strategy::order == PathOrder::as_traced)
             made = std::make_unique<OneKernel<std::remove_const_t<decltype(view)>, Offset>>(view);
         else
-            made = std::make_unique<KernelPerType<Offset>>(Strategy::order, view);
+            made = std::make_unique<KernelPerType<Offset, Types>>(Strategy::order, view);
+    });
+    return made;
+}
+
+template <class Offset>
+std::unique_ptr<DeviceShader> make_on_device_with_offset(const DevicePlace& place, std::string_view strategy,
+                                                         const MaterialInput& materials) {
+    std::unique_ptr<DeviceShader> made;
+    visit_material_list<Offset>(materials.types, [&](auto list) {
+        made = shader_with_types<Offset, typename decltype(list)::type>(place, strategy, materials);
     });
     return made;
 }

@@ -11,4 +11,7 @@ template <class Offset>
 std::unique_ptr<DeviceShader> make_on_device_with_offset(const DevicePlace& place, std::string_view strategy,
                                                          const MaterialInput& materials);
 
+std::unique_ptr<DeviceShader> make_synthetic_on_device(const DevicePlace& place, std::string_view strategy,
+                                                       const MaterialInput& materials);
+
 }  // namespace ctpbench

@@ -25,8 +25,19 @@ private:
 
 template <class Strategy, class Methods>
 std::unique_ptr<DeviceIntersector> made_for(const DevicePlace& place, const LayoutInput& input) {
-    const auto view = layout_in<Strategy, Methods>(place, input);
+    const auto view = layout_in<Strategy>(place, input);
     return std::make_unique<OnDevice<Strategy, Methods, std::remove_cv_t<decltype(view)>>>(view);
+}
+
+template <class Methods, class Types>
+std::unique_ptr<DeviceIntersector> made_with_types(const DevicePlace& place, std::string_view strategy,
+                                                   const LayoutInput& input) {
+    std::unique_ptr<DeviceIntersector> made;
+    for_each_type(IntersectStrategies<Methods, Types>{}, [&](auto tag) {
+        using Strategy = typename decltype(tag)::type;
+        if (strategy == Strategy::name) made = made_for<Strategy, Methods>(place, input);
+    });
+    return made;
 }
 
 template <class Bundle>
@@ -34,9 +45,8 @@ std::unique_ptr<DeviceIntersector> make_on_device_with_bundle(const DevicePlace&
                                                               std::string_view strategy,
                                                               const LayoutInput& input) {
     std::unique_ptr<DeviceIntersector> made;
-    for_each_type(IntersectStrategies<Bundle>{}, [&](auto tag) {
-        using Strategy = typename decltype(tag)::type;
-        if (strategy == Strategy::name) made = made_for<Strategy, Bundle>(place, input);
+    visit_filtered<Primitives<Bundle>>(input.types, [&](auto list) {
+        made = made_with_types<Bundle, typename decltype(list)::type>(place, strategy, input);
     });
     return made;
 }
@@ -48,7 +58,10 @@ std::unique_ptr<DeviceIntersector> make_on_device_with_tests(const DevicePlace& 
     for_each_type(List{}, [&](auto tag) {
         using Methods = typename decltype(tag)::type;
         if constexpr (!is_bundle<Methods>)
-            if (key == tests_key<Methods>()) made = made_for<Ctp<Methods>, Methods>(place, input);
+            if (key == tests_key<Methods>())
+                visit_filtered<Primitives<Methods>>(input.types, [&](auto list) {
+                    made = made_for<Ctp<Methods, typename decltype(list)::type>, Methods>(place, input);
+                });
     });
     return made;
 }

@@ -17,6 +17,11 @@ std::vector<StrategyInfo> intersect_strategies() {
 std::unique_ptr<Intersector> make_intersector(std::string_view strategy, std::string_view methods,
                                               const LayoutInput& input) {
     std::unique_ptr<Intersector> made;
+    if (input.synthetic.any()) {
+        if (methods == Watertight::name) made = make_synthetic(strategy, input);
+        if (!made) trap();
+        return made;
+    }
     for_each_type(MethodBundles{}, [&](auto tag) {
         using Bundle = typename decltype(tag)::type;
         if (methods == Bundle::name) made = make_with_bundle<Bundle>(strategy, input);

@@ -13,6 +13,8 @@
 
 namespace ctpbench {
 
+class CountingPlace;
+
 class Intersector {
 public:
     virtual ~Intersector() = default;
@@ -26,6 +28,10 @@ public:
 
     // Memory of the layout beside the trees it shares.
     virtual std::size_t bytes() const = 0;
+
+    // Lays out the same contender, from the same input, where a device's memory is only counted. Nothing
+    // where there is none on a device.
+    virtual void count(const LayoutInput&, const CountingPlace&) const {}
 };
 
 // A strategy of the registry as the experiment sees it before anything is built.
@@ -35,7 +41,8 @@ struct StrategyInfo {
 };
 std::vector<StrategyInfo> intersect_strategies();
 
-// Lays out `strategy` with the methods of this key (wavefront/methods.h). There must be such a contender.
+// Lays out `strategy` with the methods of this key (wavefront/methods.h), compiled for the input's types.
+// There must be such a contender.
 std::unique_ptr<Intersector> make_intersector(std::string_view strategy, std::string_view methods,
                                               const LayoutInput& input);
 

@@ -16,4 +16,7 @@ std::unique_ptr<Intersector> make_with_bundle(std::string_view strategy, const L
 template <class List>
 std::unique_ptr<Intersector> make_with_tests(std::string_view key, const LayoutInput& input);
 
+// Every strategy with the default methods and synthetic types; null if the strategy is none of the registry.
+std::unique_ptr<Intersector> make_synthetic(std::string_view strategy, const LayoutInput& input);
+
 }  // namespace ctpbench

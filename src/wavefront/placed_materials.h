@@ -1,8 +1,6 @@
 // The materials of shade strategies in a place's memory.
 #pragma once
 
-#include <type_traits>
-
 #include "kernels/registry.h"
 #include "wavefront/placed_objects.h"
 
@@ -18,14 +16,14 @@ struct PointToMaterials {
 };
 
 // As on the host, `oop` has its objects apart and `oop_arena` has those of one type together.
-template <class Place>
+template <class Types, class Place>
 VirtualMaterials virtual_materials(const MaterialInput& in, const Place& place, bool apart) {
-    const MaterialBase** pointers = place.template reserve<const MaterialBase*>(in.count());
-    for_each_type(Materials{}, [&](auto tag) {
+    const MaterialBase** pointers = place.template reserve<const MaterialBase*>(in.first[Types::size]);
+    for_each_type(Types{}, [&](auto tag) {
         using T = typename decltype(tag)::type;
         using Object = MaterialObject<T>;
-        const std::uint32_t first = in.first[material_type<T>], end = in.first[material_type<T> + 1];
-        for (std::uint32_t begin = first, next; begin < end; begin = next) {
+        const std::uint32_t end = in.end<T, Types>();
+        for (std::uint32_t begin = in.begin<T, Types>(), next; begin < end; begin = next) {
             next = apart ? begin + 1 : end;
             Array<T> values;
             for (std::uint32_t i = begin; i < next; ++i) values.push_back(T::make(in.descriptions[i]));
@@ -37,12 +35,31 @@ VirtualMaterials virtual_materials(const MaterialInput& in, const Place& place, 
     return {pointers};
 }
 
+template <class Strategy>
+struct PlacedMaterials {
+    template <class Place>
+    static auto make(const Place& place, const MaterialInput& in) {
+        return typename Strategy::Layout(in).view(place);
+    }
+};
+template <class Types>
+struct PlacedMaterials<ShadeOop<Types>> {
+    template <class Place>
+    static auto make(const Place& place, const MaterialInput& in) {
+        return virtual_materials<Types>(in, place, true);
+    }
+};
+template <class Types>
+struct PlacedMaterials<ShadeOopArena<Types>> {
+    template <class Place>
+    static auto make(const Place& place, const MaterialInput& in) {
+        return virtual_materials<Types>(in, place, false);
+    }
+};
+
 template <class Strategy, class Place>
-auto materials_in(const Place& place, const MaterialInput& materials) {
-    if constexpr (std::is_same_v<Strategy, ShadeOop> || std::is_same_v<Strategy, ShadeOopArena>)
-        return virtual_materials(materials, place, std::is_same_v<Strategy, ShadeOop>);
-    else
-        return typename Strategy::Layout(materials).view(place);
+auto materials_in(const Place& place, const MaterialInput& in) {
+    return PlacedMaterials<Strategy>::make(place, in);
 }
 
 }  // namespace ctpbench

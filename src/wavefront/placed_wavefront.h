@@ -10,6 +10,7 @@
 #include "config/config.h"
 #include "kernels/tile.h"
 #include "wavefront/frame.h"
+#include "wavefront/material_table.h"
 #include "wavefront/placed_columns.h"
 #include "wavefront/scene_view.h"
 
@@ -18,17 +19,16 @@ namespace ctpbench {
 // What one bounce leaves for the host and for later stages.
 struct BounceCounts {
     std::uint32_t active;                       // paths that are intersected
-    std::uint32_t sorted[kShadeKeys + 1];       // where each key's paths begin, then their number
+    std::uint32_t sorted[kMaxShadeKeys + 1];    // where each key's paths begin, then their number
     std::uint32_t compacted[ByFate::keys + 1];  // likewise of fates
     std::uint32_t dropped;                      // of queues
-    SegmentCounts queues;
+    std::uint32_t queues[kMaxShadeKeys];        // lengths, by key
 };
 
 struct PlacedWavefront {
     std::uint32_t pixels;
     GeometryView geometry;
     SurfaceAttributes attributes;
-    MaterialWords words;
 
     RayColumns rays;
     HitColumns hits;
@@ -46,8 +46,10 @@ struct PlacedWavefront {
     std::vector<BounceCounts> host_counts;
 };
 
+// `keys`: the most shade keys that any pipeline tells apart.
 template <class Place>
-PlacedWavefront wavefront_in(const Place& place, const SceneView& scene, const FrameSettings& settings) {
+PlacedWavefront wavefront_in(const Place& place, const SceneView& scene, const FrameSettings& settings,
+                             std::uint32_t keys) {
     PlacedWavefront w{};
     const std::uint32_t n = w.pixels = settings.width * settings.height;
     const auto numbers = [&](std::size_t count) { return place.template reserve<std::uint32_t>(count); };
@@ -56,8 +58,8 @@ PlacedWavefront wavefront_in(const Place& place, const SceneView& scene, const F
     w.index[0] = numbers(n), w.index[1] = numbers(n);
     w.positions = numbers(n), w.copied = numbers(2 * std::size_t{n});
     w.keys = place.template reserve<std::uint8_t>(n), w.fates = place.template reserve<std::uint8_t>(n);
-    w.queue_slots = numbers(std::size_t{kShadeKeys} * n);
-    w.tile_places = numbers(std::size_t{kShadeKeys} * (tile_count(n) + 1));
+    w.queue_slots = numbers(std::size_t{keys} * n);
+    w.tile_places = numbers(std::size_t{std::max(keys, ByFate::keys)} * (tile_count(n) + 1));
     w.host_counts.resize(max_bounces + 2);  // pipelines may differ in their bounces
     w.counts = place.template reserve<BounceCounts>(w.host_counts.size());
     std::vector<std::uint32_t> identity(n);
@@ -75,9 +77,15 @@ PlacedWavefront wavefront_in(const Place& place, const SceneView& scene, const F
     const SurfaceAttributes a = scene.attributes();
     w.attributes.texcoords = place(a.texcoords, scene.texcoord_count());
     w.attributes.texels = place(a.texels, scene.texel_count());
-    w.words = scene.words();
-    w.words.of_triangle = place(w.words.of_triangle, g.triangle_count);
     return w;
+}
+
+// The words of a table of materials in a place's memory.
+template <class Place>
+MaterialWords words_in(const Place& place, const MaterialTable& table) {
+    MaterialWords words = table.words();
+    words.of_triangle = place(words.of_triangle, words.triangle_count);
+    return words;
 }
 
 // For pipelines whose paths leave out what they come from.

@@ -30,9 +30,12 @@ std::vector<StageTime> Renderer::frame(const Intersector& intersector, const Sha
                                        const BounceObserver& observe) {
     const PathOrder order = shader.order();
     times_.clear();
-    if (order == PathOrder::queued && queue_slots_.empty()) {
-        queue_slots_.resize(std::size_t{kShadeKeys} * segments_ * kSegment);
-        queue_counts_.resize(segments_);
+    words_ = shader.words();
+    if (order == PathOrder::queued) {
+        // Never smaller than a contender before needed them: renderers are shared.
+        const std::size_t slots = std::size_t{words_.keys()} * segments_ * kSegment;
+        if (queue_slots_.size() < slots) queue_slots_.resize(slots);
+        queue_counts_.resize(std::size_t{segments_} * segment_stride(words_.keys()));
         segment_counts_.resize(segments_), dropped_counts_.resize(segments_);
     }
     if (shader.excludes() && !intersector.excludes()) trap();  // every hit would be suspect
@@ -73,17 +76,21 @@ void Renderer::generate(std::uint32_t sample) {
 void Renderer::intersect(std::uint32_t bounce, const Intersector& intersector, PathOrder order,
                          bool carry_t) {
     IntersectBuffers io{rays_.view(), hits_.view(), index_.data(), active_, scene_.geometry().extent};
-    io.keys.words = scene_.words();
+    io.keys.words = words_;
     io.excluded = exclude_;
     if (order == PathOrder::sorted || order == PathOrder::restored) io.keys.keys = keys_.data();
     time("intersect", bounce, [&] {
         if (order == PathOrder::queued) {
-            std::memset(queue_counts_.data(), 0, queue_counts_.size() * sizeof(SegmentCounts));
-            io.keys.queues = {queue_slots_.data(), queue_counts_.data(), segments_ * kSegment};
+            std::fill(queue_counts_.begin(), queue_counts_.end(), 0u);
+            io.keys.queues = queues();
             io.segment_counts = segment_counts_.data(), io.segments = segments_;
         }
         intersector.intersect(backend_, io, carry_t);
     });
+}
+
+PathQueues Renderer::queues() {
+    return {queue_slots_.data(), queue_counts_.data(), segments_ * kSegment, segment_stride(words_.keys())};
 }
 
 void Renderer::copy(std::uint32_t bounce) {
@@ -110,8 +117,8 @@ void Renderer::sort(std::uint32_t bounce, PathOrder order) {
         std::iota(positions_.begin(), positions_.end(), 0u);
     }
     time("sort", bounce, [&] {
-        sorting_.run(backend_, keys_.data(), restored ? positions_.data() : index_.data(), active_,
-                     reordered_.data(), work_.key_offsets);
+        sorting_.run(backend_, keys_.data(), words_.keys(), restored ? positions_.data() : index_.data(),
+                     active_, reordered_.data(), work_.key_offsets);
     });
     work_.positions = reordered_.data();
     if (!restored) index_.swap(reordered_);
@@ -120,7 +127,7 @@ void Renderer::sort(std::uint32_t bounce, PathOrder order) {
 void Renderer::shade(std::uint32_t bounce, std::uint32_t sample, const Shader& shader) {
     const ShadeBuffers io{scene_.geometry(),
                           scene_.attributes(),
-                          scene_.words(),
+                          words_,
                           rays_.view(),
                           hits_.view(),
                           pixels_.view(),
@@ -134,7 +141,7 @@ void Renderer::shade(std::uint32_t bounce, std::uint32_t sample, const Shader& s
                           exclude_};
     work_.count = active_;
     if (shader.order() == PathOrder::queued) {
-        work_.queues = {queue_slots_.data(), queue_counts_.data(), segments_ * kSegment};
+        work_.queues = queues();
         work_.survivors = index_.data(), work_.survivor_counts = segment_counts_.data();
         work_.dropped_counts = dropped_counts_.data(), work_.segments = segments_;
     }
@@ -150,7 +157,7 @@ void Renderer::shade(std::uint32_t bounce, std::uint32_t sample, const Shader& s
 
 void Renderer::compact(std::uint32_t bounce, PathOrder order) {
     // Sorted paths that hit nothing are at the end, and none of them goes on.
-    const std::uint32_t n = order == PathOrder::sorted ? work_.key_offsets[kMissKey] : active_;
+    const std::uint32_t n = order == PathOrder::sorted ? work_.key_offsets[words_.miss_key()] : active_;
     std::uint32_t kept = 0;
     time("compact", bounce,
          [&] { kept = compaction_.run(backend_, fates_.data(), index_.data(), n, reordered_.data()); });

@@ -43,6 +43,7 @@ private:
     void shade(std::uint32_t bounce, std::uint32_t sample, const Shader& shader);
     void compact(std::uint32_t bounce, PathOrder order);
     void blend(std::uint32_t sample, ImageStorage& image);
+    PathQueues queues();
     void show(std::uint32_t bounce, PathOrder order, const BounceObserver& observe);
 
     CpuBackend& backend_;
@@ -60,13 +61,14 @@ private:
     Array<std::uint8_t> keys_, fates_;  // by position in the index
     Array<std::uint32_t> positions_;    // 0, 1, 2, ...: what is sorted where the index stays
     std::uint32_t active_ = 0;
-    ShadeWork work_;
+    MaterialWords words_{};  // the shader's
+    ShadeWork work_{};
     Sorting sorting_;
     Compaction compaction_;
 
     std::uint32_t segments_;  // the rest is for queues
     Array<std::uint32_t> queue_slots_;
-    Array<SegmentCounts> queue_counts_;
+    Array<std::uint32_t> queue_counts_;
     Array<std::uint32_t> segment_counts_, dropped_counts_;
 
     std::vector<StageTime> times_;

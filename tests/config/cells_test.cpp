@@ -129,11 +129,12 @@ TEST(Cells, LabelsAreShortAndUnique) {
 TEST(Cells, FormatAsATable) {
     EXPECT_EQ(
         format_cells(cells_of(R"("matrix": {"spheres": [0, 10000], "strategy": ["ctp", "embree_robust"]})")),
-        "scene  spheres  sphere_radius  builder  backend  contender      traversal  methods     launch\n"
-        "smoke  0        -              quality  cpu      ctp            single     watertight  -\n"
-        "smoke  0        -              quality  cpu      embree_robust  own        own         -\n"
-        "smoke  10000    0.03           quality  cpu      ctp            single     watertight  -\n"
-        "smoke  10000    0.03           quality  cpu      embree_robust  own        own         -\n");
+        "scene  spheres  sphere_radius  builder  backend  contender      traversal  methods     types  "
+        "launch\n"
+        "smoke  0        -              quality  cpu      ctp            single     watertight  scene  -\n"
+        "smoke  0        -              quality  cpu      embree_robust  own        own         own    -\n"
+        "smoke  10000    0.03           quality  cpu      ctp            single     watertight  scene  -\n"
+        "smoke  10000    0.03           quality  cpu      embree_robust  own        own         own    -\n");
 }
 
 // A yardstick is a cell on its own backend alone, and how kernels are launched concerns frames on a GPU

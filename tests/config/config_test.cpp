@@ -52,7 +52,7 @@ TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
     const Config config = config_of(header + R"("matrix": {
         "scene": ["a", "b"], "spheres": 0, "sphere_radius": [0.01, 1], "builder": "paper", "backend": ["cpu"],
         "strategy": ["oop", "ctp"], "restart_carries_t": [false, true], "traversal": "packet", "methods": "paper",
-        "shade": ["sort", "ctp"], "triangle_test": ["bundle", "pluecker"], "sphere_test": "textbook",
+        "types": "all", "shade": ["sort", "ctp"], "triangle_test": ["bundle", "pluecker"], "sphere_test": "textbook",
         "box_test": "plain", "offset": "exclude_id", "bounce_limit": [0, 2], "roulette": true
     }, "width": 1, "height": 16384, "bounces": 2, "rounds": 3, "seed": 18446744073709551615, "threads": 4,
     "reference": "ctp", "images": true, "batch_rays": 0, "oracle_rays": 1, "tables": []})");
@@ -65,6 +65,7 @@ TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
                                    {false, true},
                                    {"packet"},
                                    {"paper"},
+                                   {"all"},
                                    {"sort", "ctp"},
                                    {"isolated"},
                                    {"bundle", "pluecker"},
@@ -101,7 +102,7 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
         "\"embree_default\", \"while_while\", \"sort\", \"sort_restored\", \"queues\"\n"
         "t.json:6:42: error: /tables/1: unknown table \"table9\"; did you mean \"table2\"? choices: "
-        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\"\n"
+        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\", \"narrowing\", \"types\"\n"
         "t.json:6:52: error: /tables/2: is here twice; remove one of the two");
 }
 
@@ -256,7 +257,7 @@ TEST(Config, EchoHasEveryDefault) {
     EXPECT_EQ(echo["height"], 1024);
     EXPECT_EQ(echo["matrix"]["methods"], nlohmann::json::array({"watertight"}));
     EXPECT_EQ(echo["matrix"]["shade"], nlohmann::json::array({"none"}));
-    EXPECT_EQ(echo["matrix"].size(), 17u);
+    EXPECT_EQ(echo["matrix"].size(), 18u);
 }
 
 TEST(Config, EditsApplyBeforeReading) {
@@ -294,6 +295,8 @@ TEST(Config, ShippedConfigsHaveTheirCells) {
     EXPECT_EQ(cells("table1.json"), 2u * 7);
     EXPECT_EQ(cells("reorder.json"), 3u);
     EXPECT_EQ(cells("figure4.json"), 3u * 5);
+    EXPECT_EQ(cells("narrowing.json"), 7u * 2 * (6 + 7));  // scenes, all and scene, intersect and shade
+    EXPECT_EQ(cells("types.json"), 19u * (6 + 7));
     EXPECT_EQ(cells("figure1.json"), 2u);
     EXPECT_EQ(cells("figure3.json"), 2u);
 }

@@ -5,6 +5,7 @@
 
 #include "base/json_document.h"
 #include "config/config.h"
+#include "wavefront/type_choice.h"
 
 namespace ctpbench {
 
@@ -13,6 +14,7 @@ inline KnownNames test_names() {
     known.strategies = {"ctp", "std_variant", "oop", "oop_arena", "restart", "typed_leaves"};
     known.yardsticks = {{"embree_robust", "cpu"}, {"embree_default", "cpu"}, {"while_while", "cuda"}};
     known.traversals = {"single", "packet"};
+    known.types = type_choices();
     known.methods = {"watertight", "paper", "fast", "float64"};
     known.builders = {"quality", "paper"};
     known.triangle_tests = {"woop", "moeller_trumbore", "pluecker", "baldwin_weber", "moeller_trumbore_f64"};

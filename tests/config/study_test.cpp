@@ -112,7 +112,8 @@ TEST(Study, RefusesWhatMeansNothing) {
 
 TEST(Study, RefusesContendersThatThereAreNot) {
     KnownNames known = test_names();
-    known.obstacle = [](const Contender& c) {
+    known.obstacle = [](const Cell& cell) {
+        const Contender& c = *cell.contender;
         return c.triangle_test != of_bundle && c.strategy != "ctp" ? "tests are exchanged in ctp alone" : "";
     };
     EXPECT_EQ(

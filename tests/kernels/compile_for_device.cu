@@ -38,11 +38,11 @@ void launch_shade(const MaterialInput& materials, const ShadeBuffers& io, const 
 }
 
 void instantiate(const MaterialInput& materials, const ShadeBuffers& shading, const ShadeWork& work) {
-    launch_shade<ShadeCtp>(materials, shading, work);
-    launch_shade<ShadeStdVariant>(materials, shading, work);
-    launch_shade<ShadeSortRestored>(materials, shading, work);
-    launch_shade<ShadeSort>(materials, shading, work);
-    launch_shade<ShadeQueues>(materials, shading, work);
+    launch_shade<ShadeCtp<Materials>>(materials, shading, work);
+    launch_shade<ShadeStdVariant<Materials>>(materials, shading, work);
+    launch_shade<ShadeSortRestored<Materials>>(materials, shading, work);
+    launch_shade<ShadeSort<Materials>>(materials, shading, work);
+    launch_shade<ShadeQueues<Materials>>(materials, shading, work);
 }
 
 void instantiate(const LayoutInput& input, const IntersectBuffers& io) {
@@ -65,7 +65,8 @@ void instantiate(const LayoutInput& input, const IntersectBuffers& io) {
     run<<<1, 1>>>(CompactCountKernel{}, 1);
     run<<<1, 1>>>(CompactScatterKernel{}, 1);
     run<<<1, 1>>>(SortCountKernel{}, 1);
-    run<<<1, 1>>>(SortScatterKernel{}, 1);
+    run<<<1, 1>>>(SortScatterKernel<2>{}, 1);
+    run<<<1, 1>>>(SortScatterManyKernel{}, 1);
 }
 
 }  // namespace ctpbench

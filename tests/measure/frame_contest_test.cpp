@@ -17,6 +17,8 @@ public:
     Broken(std::unique_ptr<Shader> sound, What what, int from_frame = 0)
         : sound_(std::move(sound)), what_(what), from_frame_(from_frame) {}
     PathOrder order() const override { return sound_->order(); }
+    MaterialWords words() const override { return sound_->words(); }
+    void count(const MaterialInput&, const CountingPlace&) const override {}
     void shade(CpuBackend& backend, const ShadeBuffers& io, const ShadeWork& work) const override {
         if (io.bounce == 0) ++frames_;
         sound_->shade(backend, io, work);
@@ -55,7 +57,7 @@ protected:
     FrameContest contest() {
         return FrameContest(stage_.view.geometry(), stage_.backend, oracle_.get(), 1000);
     }
-    std::unique_ptr<Shader> shader(const char* name) { return make_shader(name, stage_.view.materials()); }
+    std::unique_ptr<Shader> shader(const char* name) { return make_shader(name, stage_.materials); }
     FrameEntrant entrant(std::size_t cell, std::unique_ptr<Shader> shader) {
         return {cell, std::make_unique<CpuPipeline>(renderer_, *stage_.intersector, std::move(shader)), true,
                 true};

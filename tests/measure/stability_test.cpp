@@ -22,18 +22,18 @@ CpuBackend& backend() {
     return two;
 }
 
-using Make = std::function<std::unique_ptr<Intersector>(const StressBed&)>;
+using Make = std::function<std::unique_ptr<Intersector>(StressBed&)>;
 
 Make bundle(const std::string& name) {
-    return [name](const StressBed& bed) { return make_intersector("ctp", name, bed.layout()); };
+    return [name](StressBed& bed) { return make_intersector("ctp", name, bed.layout()); };
 }
 Make embree(EmbreeMode mode) {
-    return [mode](const StressBed& bed) { return make_embree(bed.workload().scene, mode, 2); };
+    return [mode](StressBed& bed) { return make_embree(bed.workload().scene, mode, 2); };
 }
 
 Accuracy judge(const std::string& workload, const Make& make, const DepartureExam::Policy& policy,
                std::uint32_t rays) {
-    const StressBed bed(backend(), make_stress(workload, 9));
+    StressBed bed(backend(), make_stress(workload, 9));
     const std::unique_ptr<Intersector> intersector = make(bed);
     CpuTracer tracer(backend(), *intersector, bed.view().geometry().extent);
     if (bed.workload().of_offsets()) {
@@ -119,7 +119,7 @@ TEST(Stability, EmbreeIsJudgedLikeAnyOther) {
 
 TEST(Stability, CanBeEndedAtASafePoint) {
     struct Enough {};
-    const StressBed bed(backend(), make_stress("edges", 1));
+    StressBed bed(backend(), make_stress("edges", 1));
     Batch batch = stress_batch(backend(), 200000, bed.workload().ray);
     int points = 0;
     const auto at_second = [&] {

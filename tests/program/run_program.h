@@ -54,7 +54,7 @@ protected:
         text << std::ifstream(path, std::ios::binary).rdbuf();
         return text.str();
     }
-    // Lines as maps from column name to field. The fields of these files hold no quotes.
+    // Lines as maps from column name to field. Quotes enclose fields and are not in them.
     static std::vector<std::map<std::string, std::string>> read_csv(const std::filesystem::path& path) {
         std::istringstream text(read(path));
         std::vector<std::string> names;
@@ -62,8 +62,11 @@ protected:
         for (std::string line; std::getline(text, line);) {
             if (!line.empty() && line.back() == '\r') line.pop_back();
             std::vector<std::string> fields{""};
+            bool quoted = false;
             for (char c : line) {
-                if (c == ',')
+                if (c == '"')
+                    quoted = !quoted;
+                else if (c == ',' && !quoted)
                     fields.emplace_back();
                 else
                     fields.back() += c;

@@ -1,5 +1,6 @@
 // Whole runs of a small experiment: what they leave behind, and what must hold of it.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "run_program.h"
@@ -45,6 +46,38 @@ TEST_F(Run, LeavesRowsAndTables) {
         EXPECT_TRUE(strategies.count(name)) << name;
     const std::string meta = read(folder_ / "r/meta.json");
     EXPECT_NE(meta.find("\"state\": \"complete\""), std::string::npos);
+}
+
+// A square in two alike materials, an idle material and a vertex too many, without and with spheres.
+TEST_F(Run, MetaSaysWhatScenesNeedAndWhatTheyTake) {
+    write("square.obj",
+          "mtllib square.mtl\nv 0 0 0\nv 9 9 9\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nusemtl idle\n"
+          "usemtl a\nf 1/1 3/1 4/1\nusemtl b\nf 1/1 4/1 5/1\n");
+    write("square.mtl", "newmtl a\nKd 1 0 0\nnewmtl b\nKd 1 0 0\nnewmtl idle\nKe 1 1 1\nmap_Kd gone.png\n");
+    write("square.json", R"({"schema_version": 1, "name": "square", "mesh": {"file": "square.obj"},
+        "camera": {"eye": [0, 0, 3], "target": [0, 0, 0], "up": [0, 1, 0], "fov": 60}})");
+    write("c.json", R"({"schema_version": 1, "experiment": "x",
+        "matrix": {"scene": "square", "spheres": [0, 3], "strategy": "ctp"},
+        "width": 16, "height": 16, "rounds": 1})");
+    const Outcome outcome = run("--quiet --config $D/c.json --scene-dir $D --out $D/r");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    const auto scenes = nlohmann::json::parse(read(folder_ / "r/meta.json")).at("scenes");
+    ASSERT_EQ(scenes.size(), 2u);
+    using nlohmann::json;
+    for (const json& scene : scenes)
+        EXPECT_EQ(scene.at("dropped"), json::parse(R"({"unused_vertices": 1, "unused_texcoords": 2,
+            "unused_materials": 1, "merged_materials": 1})"));
+    EXPECT_EQ(scenes[0].at("needs"),
+              json::parse(R"({"primitives": ["triangle"], "materials": ["matte"], "textured": false})"));
+    EXPECT_EQ(scenes[1].at("needs"), json::parse(R"({"primitives": ["triangle", "sphere"],
+        "materials": ["matte", "mirror"], "textured": false})"));
+    const json& alone = scenes[0].at("bytes");
+    EXPECT_EQ(alone.at("positions"), 4 * 12);
+    EXPECT_EQ(alone.at("triangles"), 2 * 12);
+    EXPECT_EQ(alone.at("material_words"), 2 * 4);
+    for (const char* none : {"texcoords", "texels", "spheres"}) EXPECT_EQ(alone.at(none), 0) << none;
+    EXPECT_EQ(scenes[1].at("bytes").at("spheres"), 3 * 16);
+    EXPECT_EQ(scenes[1].at("bytes").at("materials"), 2 * alone.at("materials").get<int>());
 }
 
 TEST_F(Run, HitsDoNotDependOnThreads) {

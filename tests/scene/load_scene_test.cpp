@@ -203,6 +203,56 @@ TEST_F(LoadScene, OverridesTypesAndTheRest) {
     EXPECT_EQ(look.diffuse, (Vec3{1, 0, 0}));
 }
 
+TEST_F(LoadScene, LeavesOutWhatNoRayCanAskFor) {
+    write("one/a/a.obj",
+          "v 9 9 9\nusemtl idle\n" + kObj.substr(0, kObj.find("f 1")) + "f 2 3 4\nusemtl rouge\nf 2 3 5\n");
+    write("one/a/a.mtl", "newmtl red\nKd 1 0 0\nnewmtl rouge\nKd 1 0 0\nnewmtl idle\n");
+    for (int i = 0; i < 2; ++i) {  // the second time from the cache, which holds what the file does
+        const Scene scene = load();
+        EXPECT_EQ(scene.savings, (SceneSavings{1, 0, 1, 1}));
+        EXPECT_EQ(scene.mesh.positions.size(), 4u);
+        EXPECT_EQ(scene.mesh.positions[0], (Vec3{0, 0, 0}));
+        EXPECT_EQ(scene.mesh.material, (std::vector<std::uint32_t>{0, 0}));
+        ASSERT_EQ(scene.materials.size(), 1u);
+        EXPECT_EQ(scene.materials[0].name, "red");
+    }
+}
+
+TEST_F(LoadScene, LeavesOutWhatARecipesOverridesMakeAlike) {
+    const std::string recipe = R"("recipe": {"name": "smoke", "seed": 1})";
+    write("one/r.json", scene_text(recipe));
+    request.name = "r";
+    const Scene plain = load();
+    std::size_t other = 1;
+    while (plain.materials[other].look.type != plain.materials[0].look.type) ++other;
+    const auto white = [](const Material& m) {
+        return "\"" + m.name + R"(": {"type": "matte", "diffuse": [1, 1, 1]})";
+    };
+    write("one/r.json", scene_text(recipe + R"(, "overrides": {"materials": {)" + white(plain.materials[0]) +
+                                   ", " + white(plain.materials[other]) + "}}"));
+    const Scene scene = load();
+    EXPECT_EQ(scene.materials.size(), plain.materials.size() - 1);
+    EXPECT_EQ(scene.savings.merged_materials, plain.savings.merged_materials + 1);
+    EXPECT_EQ(scene.mesh.triangles, plain.mesh.triangles);
+}
+
+// They are those of the file, be they used or not, or like others.
+TEST_F(LoadScene, OverridesNameMaterialsThatAreLeftOut) {
+    write("one/a/a.obj", "usemtl idle\n" + kObj + "usemtl rouge\nf 1 3 4\n");
+    write("one/a/a.mtl", "newmtl red\nKd 1 0 0\nnewmtl rouge\nKd 1 0 0\n");
+    const auto with = [&](const std::string& name) {
+        write("one/a.json", scene_text(R"("mesh": {"file": "a/a.obj"},
+            "overrides": {"materials": {")" +
+                                       name + R"(": {"diffuse": [0, 0, 1]}}})"));
+        return load();
+    };
+    EXPECT_EQ(with("idle").materials.size(), 1u);
+    const Scene apart = with("rouge");
+    ASSERT_EQ(apart.materials.size(), 2u);
+    EXPECT_EQ(apart.materials[1].look.diffuse, (Vec3{0, 0, 1}));
+    EXPECT_ERROR(with("idel"), ExitCode::usage, "unknown material \"idel\"; did you mean \"idle\"?");
+}
+
 TEST_F(LoadScene, TakesLightAndExposureOfTheFileWithTheTriangles) {
     write("one/b.json", scene_text(R"("mesh": {"file": "b.obj"}, "ambient": [0, 2, 0], "exposure": 3,
         "spheres": {"placed": [{"center": [0, 9, 0], "radius": 1}]})"));

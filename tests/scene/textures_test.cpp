@@ -194,6 +194,37 @@ TEST_F(TextureImages, OverriddenTypesDecide) {
     EXPECT_TRUE(scene.materials[1].look.texture.exists());
 }
 
+// Neither of a material without faces, nor of one whose only face is dropped. An image that cannot be read
+// would be noticed.
+TEST_F(TextureImages, OfUnusedMaterialsAreNotRead) {
+    write_image("c.png", 2, 1, 3, Bytes(6, 255));
+    const std::string mtl =
+        "newmtl a\nmap_Kd c.png\nnewmtl b\nnewmtl c\nmap_Kd gone.png\nnewmtl d\nmap_d bad.png\n";
+    const Scene scene = load(mtl, kTexturedObj + "usemtl c\nusemtl d\nf 1/1 1/1 2/2\n");
+    EXPECT_FALSE(has_notice(notices, "could not be read"));
+    EXPECT_EQ(scene.texels.size(), 2u);
+    EXPECT_EQ(scene.materials.size(), 2u);
+    EXPECT_EQ(scene.savings.unused_materials, 2u);
+    EXPECT_EQ(scene.savings.unused_texcoords, 0u);
+    load(mtl, kTexturedObj + "usemtl c\nf 1/1 2/2 3/3\n");
+    EXPECT_TRUE(has_notice(notices, "gone.png (no such file); 1 image could not be read"));
+}
+
+TEST_F(TextureImages, CoordinatesStayForAUsedMaterialsTextureOnly) {
+    write_image("c.png", 1, 1, 3, Bytes{255, 0, 0});
+    const Scene without = load("newmtl a\nnewmtl b\nnewmtl c\nmap_Kd c.png\n", kTexturedObj + "usemtl c\n");
+    EXPECT_TRUE(without.mesh.texcoords.empty());
+    EXPECT_TRUE(without.texels.empty());
+    EXPECT_EQ(without.savings.unused_texcoords, 2u);
+}
+
+// Materials with the same files behave alike; those with others do not.
+TEST_F(TextureImages, MaterialsOfOneTextureAreOne) {
+    for (const char* name : {"c.png", "other.png"}) write_image(name, 1, 1, 3, Bytes{255, 0, 0});
+    EXPECT_EQ(load("newmtl a\nmap_Kd c.png\nnewmtl b\nmap_Kd c.png\n").materials.size(), 1u);
+    EXPECT_EQ(load("newmtl a\nmap_Kd c.png\nnewmtl b\nmap_Kd other.png\n").materials.size(), 2u);
+}
+
 TEST_F(TextureImages, MissingImagesAreOneNotice) {
     write_image("c.png", 1, 1, 3, Bytes{255, 0, 0});
     const Scene scene =

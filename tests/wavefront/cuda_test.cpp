@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "backends/cuda.h"
-#include "config/axes.h"
+#include "config/cells.h"
 #include "support.h"
 #include "wavefront/cpu_tracer.h"
 #include "wavefront/cuda_workload.h"
@@ -18,6 +18,8 @@
 
 namespace ctpbench {
 namespace {
+
+constexpr std::uint32_t kKeys = Materials::size + 1;
 
 class Cuda : public testing::Test {
 protected:
@@ -54,14 +56,14 @@ TEST_F(Cuda, HitsAreTheCpusBitForBit) {
             const float extent = stage.view.geometry().extent;
             const std::uint64_t expected =
                 CpuTracer(stage.backend, *stage.intersector, extent).trace(batch, true).hash;
-            const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
-            const auto workload = make_cuda_workload(stage.view, layout, batches);
+            const auto workload = make_cuda_workload(stage.scenes, batches, kKeys);
             for (const StrategyInfo& strategy : intersect_strategies())
-                for (const bool carry_t : {true, false}) {
-                    const auto tracer = workload->tracer(strategy.name, "watertight");
+                for (const auto& [carry_t, types] :
+                     {std::pair{true, kAllTypes}, {false, kAllTypes}, {true, kTypesOfScene}}) {
+                    const auto tracer = workload->tracer(strategy.name, "watertight", types);
                     const BatchTracer::Traced traced = tracer->trace(batch, carry_t);
-                    EXPECT_EQ(traced.hash, expected)
-                        << strategy.name << ", carry_t " << carry_t << ", scale " << scale;
+                    EXPECT_EQ(traced.hash, expected) << strategy.name << ", carry_t " << carry_t << ", scale "
+                                                     << scale << ", types " << types;
                     EXPECT_GT(traced.seconds, 0.0);
                     EXPECT_EQ(tracer->hits().hash(), expected) << "what comes back is what was compared";
                 }
@@ -81,14 +83,14 @@ TEST_F(Cuda, HitsOfAllMethodsAreTheCpusBitForBit) {
     first.trace(batch, true);
     for (std::uint32_t i = 0; i < batch.rays.size(); ++i)
         leaving.excluded.push_back(first.hits().view().primitive[i]);
-    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
-    const auto workload = make_cuda_workload(stage.view, layout, batches);
+    const auto workload = make_cuda_workload(stage.scenes, batches, kKeys);
     std::size_t compared = 0;
     const auto compare = [&](const std::string& strategy, const std::string& key) {
-        const auto intersector = make_intersector(strategy, key, layout);
+        const auto intersector = make_intersector(strategy, key, stage.scenes.layout(kAllTypes));
         CpuTracer cpu(stage.backend, *intersector, extent);
         for (Batch* b : {&batch, &leaving})
-            EXPECT_EQ(workload->tracer(strategy, key)->trace(*b, true).hash, cpu.trace(*b, true).hash)
+            EXPECT_EQ(workload->tracer(strategy, key, kAllTypes)->trace(*b, true).hash,
+                      cpu.trace(*b, true).hash)
                 << strategy << ", " << key << ", leaving out " << !b->excluded.empty();
         ++compared;
     };
@@ -110,9 +112,8 @@ TEST_F(Cuda, YardstickAgreesAlmostEverywhere) {
     Batch& batch = batches[0];
     CpuTracer cpu(stage.backend, *stage.intersector, stage.view.geometry().extent);
     cpu.trace(batch, true);
-    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
-    const auto workload = make_cuda_workload(stage.view, layout, batches);
-    const auto tracer = workload->tracer(kCudaYardstick, "own");
+    const auto workload = make_cuda_workload(stage.scenes, batches, kKeys);
+    const auto tracer = workload->tracer(kCudaYardstick, "own", own_way);
     tracer->trace(batch, true);
     int different = 0;
     for (std::uint32_t i = 0; i < batch.rays.size(); ++i)
@@ -125,16 +126,15 @@ const FrameSettings kSettings{131, 67, 6, 9};
 TEST_F(Cuda, ImagesAreTheSameBitForBitAndTheCpusButForNoise) {
     const Scene scene = test::motley();
     test::Stage stage(scene, 2);
-    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
     std::vector<Batch> none;
-    const auto workload = make_cuda_workload(stage.view, layout, none);
+    const auto workload = make_cuda_workload(stage.scenes, none, kKeys);
     constexpr std::uint32_t samples = 16;
     std::uint64_t expected = 0;
     std::vector<std::uint32_t> paths, dropped;
     ImageStorage image;
     for (const std::string& shade : shade_strategies())
         for (const CudaLaunch launch : {CudaLaunch::isolated, CudaLaunch::concurrent, CudaLaunch::graph}) {
-            const auto pipeline = workload->pipeline("typed_leaves", "watertight", shade, launch,
+            const auto pipeline = workload->pipeline("typed_leaves", "watertight", kAllTypes, shade, launch,
                                                      test::kMotleyCamera, kSettings);
             image = {};
             std::vector<std::uint32_t> its_paths, its_dropped;
@@ -167,9 +167,8 @@ TEST_F(Cuda, ImagesAreTheSameBitForBitAndTheCpusButForNoise) {
 TEST_F(Cuda, ImagesAreTheSameWithEveryOffsetAndWithRoulette) {
     const Scene scene = test::motley();
     test::Stage stage(scene, 2), excluding(scene, 2, "ctp", "watertight+exclude_id");
-    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
     std::vector<Batch> none;
-    const auto workload = make_cuda_workload(stage.view, layout, none);
+    const auto workload = make_cuda_workload(stage.scenes, none, kKeys);
     constexpr std::uint32_t samples = 16;
     for (const std::string& offset : offsets())
         for (const bool roulette : {false, true}) {
@@ -179,7 +178,7 @@ TEST_F(Cuda, ImagesAreTheSameWithEveryOffsetAndWithRoulette) {
             std::uint64_t expected = 0;
             ImageStorage image;
             for (const std::string& shade : shade_strategies()) {
-                const auto pipeline = workload->pipeline("ctp", key, shade, CudaLaunch::concurrent,
+                const auto pipeline = workload->pipeline("ctp", key, kAllTypes, shade, CudaLaunch::concurrent,
                                                          test::kMotleyCamera, settings, offset);
                 image = {};
                 for (std::uint32_t s = 0; s < samples; ++s) pipeline->frame(true, s, image, {});
@@ -198,14 +197,15 @@ TEST_F(Cuda, ImagesAreTheSameWithEveryOffsetAndWithRoulette) {
 TEST_F(Cuda, BouncesShowWhatWasHit) {
     const Scene scene = test::motley();
     test::Stage stage(scene, 2);
-    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
     std::vector<Batch> none;
-    const auto workload = make_cuda_workload(stage.view, layout, none);
+    const auto workload = make_cuda_workload(stage.scenes, none, kKeys);
     std::vector<std::uint64_t> expected;
     for (const char* shade : {"ctp", "sort", "queues"}) {
         std::vector<std::uint64_t> hashes;
         ImageStorage image;
-        workload->pipeline("ctp", "watertight", shade, CudaLaunch::concurrent, test::kMotleyCamera, kSettings)
+        workload
+            ->pipeline("ctp", "watertight", kAllTypes, shade, CudaLaunch::concurrent, test::kMotleyCamera,
+                       kSettings)
             ->frame(true, 0, image, [&](const BounceView& view) {
                 std::vector<std::uint32_t> slots = view.slots;
                 std::sort(slots.begin(), slots.end());
@@ -223,35 +223,65 @@ TEST_F(Cuda, BouncesShowWhatWasHit) {
     }
 }
 
+// Kernels that are compiled for the scene's types alone, or for synthetic ones, show what the CPU shows with
+// the same types; whatever the strategy, the same image.
+TEST_F(Cuda, ImagesAreTheSameWithWhateverTypes) {
+    const Scene motley = test::motley(), soup = test::soup(600, 0, 17);
+    const auto show = [&](const Scene& scene, const std::string& types, std::uint32_t keys) {
+        test::Stage stage(scene, 2, "ctp", "watertight", types);
+        std::vector<Batch> none;
+        const auto workload = make_cuda_workload(stage.scenes, none, keys);
+        std::uint64_t expected = 0;
+        ImageStorage image;
+        for (const std::string& shade : shade_strategies()) {
+            const auto pipeline = workload->pipeline("restart", "watertight", types, shade,
+                                                     CudaLaunch::concurrent, test::kMotleyCamera, kSettings);
+            image = {};
+            for (std::uint32_t s = 0; s < 4; ++s) pipeline->frame(true, s, image, {});
+            if (expected == 0) expected = image.hash();
+            EXPECT_EQ(image.hash(), expected) << types << ", " << shade;
+        }
+        const test::Frames cpu = test::render(stage, test::kMotleyCamera, kSettings, 4);
+        double sum = 0.0, cpu_sum = 0.0;
+        for (std::size_t i = 0; i < image.size(); ++i) sum += image.at(i).y, cpu_sum += cpu.image.at(i).y;
+        EXPECT_NEAR(sum / cpu_sum, 1.0, 0.01) << types;
+    };
+    show(motley, kTypesOfScene, kKeys);
+    show(soup, kTypesOfScene, 2);
+    for (const char* types : {"synthetic_1", "synthetic_8", "synthetic_8_using_7", "synthetic_32"})
+        show(soup, types, kMaxShadeKeys);
+}
+
 // What is counted before a run is what the run then holds, with every contender in the workload.
 TEST_F(Cuda, MemoryIsWhatWasCounted) {
     const Scene scene = test::motley();
     test::Stage stage(scene, 2);
     std::vector<Batch> batches{batch_of(scene, 20001), batch_of(scene, 777)};
-    const LayoutInput layout = stage.forest.layout_input(stage.view.geometry());
     DeviceDemand demand;
-    const auto workload = make_cuda_workload(stage.view, layout, batches);
+    const auto workload = make_cuda_workload(stage.scenes, batches, kKeys);
     const auto same = [&](const std::string& after) {
-        EXPECT_EQ(workload->bytes(), bytes_demanded(demand, stage.view, layout, batches)) << after;
+        EXPECT_EQ(workload->bytes(), bytes_demanded(demand, stage.scenes, batches)) << after;
     };
     same("batches");
     const auto trace = [&](const std::string& strategy, const std::string& methods) {
-        const auto tracer = workload->tracer(strategy, methods);
+        const std::string types = strategy == kCudaYardstick ? own_way : kTypesOfScene;
+        const auto tracer = workload->tracer(strategy, methods, types);
         for (Batch& batch : batches) tracer->trace(batch, true);
-        demand.intersectors.insert({strategy, methods});
+        demand.intersectors.insert({strategy, methods, types});
         same(strategy + " " + methods);
     };
     for (const StrategyInfo& s : intersect_strategies())
         for (const MethodsInfo& m : method_bundles()) trace(s.name, m.name), trace(s.name, m.name);
     trace(kCudaYardstick, "own");
     demand.frames = kSettings;
+    demand.intersectors.insert({"ctp", "watertight", kAllTypes});
     ImageStorage image;
     std::vector<std::unique_ptr<FramePipeline>> pipelines;
     for (const std::string& shade : shade_strategies()) {
-        pipelines.push_back(workload->pipeline("ctp", "watertight", shade, CudaLaunch::graph,
+        pipelines.push_back(workload->pipeline("ctp", "watertight", kAllTypes, shade, CudaLaunch::graph,
                                                test::kMotleyCamera, kSettings));
         pipelines.back()->frame(true, 0, image, {});
-        demand.shaders.push_back(shade);
+        demand.shaders.push_back({shade, kAllTypes, WaechterBinder::name});
         same("shade " + shade);
     }
     const CudaMemory memory = cuda_memory();

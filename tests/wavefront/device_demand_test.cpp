@@ -31,9 +31,7 @@ TEST(CountingPlace, CountsWhatStaysAndTheMostThatIsLent) {
 
 class Demand : public testing::Test {
 protected:
-    std::size_t bytes(const DeviceDemand& demand) {
-        return bytes_demanded(demand, stage.view, layout, batches);
-    }
+    std::size_t bytes(const DeviceDemand& demand) { return bytes_demanded(demand, stage.scenes, batches); }
 
     const Scene scene = test::motley();
     test::Stage stage{scene, 2};
@@ -43,7 +41,7 @@ protected:
 
 TEST_F(Demand, OfALayoutIsItsNodesAndElements) {
     const std::size_t nothing = bytes({});
-    EXPECT_EQ(bytes({{{"ctp", "watertight"}}, {}, {}}) - nothing,
+    EXPECT_EQ(bytes({{{"ctp", "watertight", "scene"}}, {}, {}}) - nothing,
               layout.mixed.node_count * sizeof(BvhNode) +
                   layout.mixed.ref_count * sizeof(Slot<Ctp<Watertight>::Element>));
     // Objects by scene order, a pointer per leaf entry; the largest of what is lent while they are made.
@@ -52,7 +50,7 @@ TEST_F(Demand, OfALayoutIsItsNodesAndElements) {
     const std::size_t lent =
         std::max(layout.mixed.ref_count * sizeof(PrimitiveRef), 3000 * sizeof(Triangle<Watertight>));
     EXPECT_EQ(
-        bytes({{{"oop", "watertight"}}, {}, {}}) - nothing,
+        bytes({{{"oop", "watertight", "scene"}}, {}, {}}) - nothing,
         layout.mixed.node_count * sizeof(BvhNode) + layout.mixed.ref_count * sizeof(void*) + objects + lent);
 }
 
@@ -63,20 +61,34 @@ TEST_F(Demand, OfAllIsTheSum) {
     for (const StrategyInfo& s : intersect_strategies())
         for (const MethodsInfo& m : method_bundles()) {
             if (s.name.starts_with("oop")) continue;  // what they are lent is not added up
-            const std::pair both{s.name, m.name};
+            const std::array<std::string, 3> both{s.name, m.name, "scene"};
             all.intersectors.insert(both);
             sum += bytes({{both}, {}, {}}) - nothing;
         }
-    all.intersectors.insert({"while_while", "own"});
-    sum += bytes({{{"while_while", "own"}}, {}, {}}) - nothing;
+    all.intersectors.insert({"while_while", "own", "own"});
+    sum += bytes({{{"while_while", "own", "own"}}, {}, {}}) - nothing;
+    // Queues take room for each key that any shader tells apart, so frames and shaders go together.
     all.frames = FrameSettings{131, 67, 6, 9};
-    sum += bytes({{}, {}, all.frames}) - nothing;
-    all.shaders = {"ctp", "sort", "sort"};
-    for (const std::string& shader : all.shaders) {
-        EXPECT_GT(bytes({{}, {shader}, {}}), nothing);
-        sum += bytes({{}, {shader}, {}}) - nothing;
-    }
+    all.shaders = {{"ctp", "scene", "waechter_binder"}, {"sort", "all", "waechter_binder"}};
+    sum += bytes({{}, all.shaders, all.frames}) - nothing;
     EXPECT_EQ(bytes(all), sum);
+}
+
+TEST_F(Demand, OfShadersIsTheirMaterialsAndOneColumnOfWordsForEachList) {
+    const auto of = [&](const std::vector<DeviceDemand::Shader>& shaders) {
+        return bytes({{}, shaders, {}}) - bytes({});
+    };
+    const DeviceDemand::Shader ctp{"ctp", "all", "waechter_binder"}, sort{"sort", "all", "waechter_binder"};
+    const std::size_t words = scene.mesh.triangles.size() * sizeof(MaterialWord);
+    EXPECT_EQ(of({ctp}), words + scene.materials.size() * sizeof(ShadeCtp<Materials>::Element));
+    EXPECT_EQ(of({ctp, sort}), of({ctp}) + of({sort}) - words);
+    // The spheres' list of keys is the longest: five of them.
+    const FrameSettings frame{64, 64, 6, 9};
+    const auto pixel = [&](const std::string& types) {
+        return bytes({{}, {{"ctp", types, "waechter_binder"}}, frame}) -
+               of({{"ctp", types, "waechter_binder"}});
+    };
+    EXPECT_GE(pixel("all"), pixel("scene"));
 }
 
 TEST_F(Demand, GrowsWithPixelsAndRays) {

@@ -8,23 +8,32 @@
 #include "wavefront/batch.h"
 #include "wavefront/forest.h"
 #include "wavefront/renderer.h"
+#include "wavefront/typed_scenes.h"
 
 namespace ctpbench::test {
 
 // The scene must outlive it.
 struct Stage {
     Stage(const Scene& scene, int threads, const std::string& strategy = "ctp",
-          const std::string& methods = Watertight::name)
+          const std::string& methods = Watertight::name, const std::string& types = kAllTypes)
         : view(scene),
           backend(threads),
-          forest(build_forest(backend, scene, {TreeKind::mixed, TreeKind::typed_leaves, TreeKind::per_type},
-                              SbvhSettings::quality(), nullptr, [](const std::string&, double) {})),
-          intersector(make_intersector(strategy, methods, forest.layout_input(view.geometry()))) {}
+          forest(build_forest(backend, scene, trees(), SbvhSettings::quality(), nullptr,
+                              [](const std::string&, double) {})),
+          scenes(backend, scene, view, forest, trees(), SbvhSettings::quality()),
+          intersector(make_intersector(strategy, methods, scenes.layout(types))),
+          materials(scenes.materials(types, WaechterBinder::name)) {}
+
+    static std::set<TreeKind> trees() {
+        return {TreeKind::mixed, TreeKind::typed_leaves, TreeKind::per_type};
+    }
 
     SceneView view;
     CpuBackend backend;
     Forest forest;
+    TypedScenes scenes;
     std::unique_ptr<Intersector> intersector;
+    const MaterialTable& materials;  // for the default offset; with all types, for any
 };
 
 struct Frames {
@@ -36,7 +45,7 @@ inline Frames render(Stage& stage, const Camera& camera, const FrameSettings& se
                      std::uint32_t samples = 1, const std::string& shade = "ctp",
                      const BounceObserver& observe = {}, const std::string& offset = WaechterBinder::name) {
     Frames frames;
-    const auto shader = make_shader(shade, stage.view.materials(), offset);
+    const auto shader = make_shader(shade, stage.materials, offset);
     Renderer renderer(stage.backend, stage.view, camera, settings);
     for (std::uint32_t s = 0; s < samples; ++s) {
         const auto stages = renderer.frame(*stage.intersector, *shader, true, s, frames.image, observe);

@@ -95,7 +95,7 @@ TEST(Renderer, AveragesItsSamples) {
     test::Stage stage(scene, 2);
     const Camera camera = looking_from({0, 0, 3}, {0, 0, 0});
     const FrameSettings settings{32, 32, 3, 5};
-    const auto shader = make_shader("ctp", stage.view.materials());
+    const auto shader = make_shader("ctp", stage.materials);
     Renderer renderer(stage.backend, stage.view, camera, settings);
     ImageStorage mean, single;
     std::vector<double> sum(32 * 32, 0.0);

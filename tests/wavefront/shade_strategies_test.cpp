@@ -59,10 +59,11 @@ TEST(ShadeStrategies, AreTestedOnAllThatMaterialsDo) {
         test::render(stage, kCamera, kSettings, 1, "ctp", [&](const BounceView& view) {
             for (const std::uint32_t slot : view.slots) {
                 const std::uint32_t primitive = view.hits.primitive[slot];
-                ++seen[primitive == kNoPrimitive ? kMissKey : stage.view.words().of(primitive).type()];
+                const MaterialWords words = stage.materials.words();
+                ++seen[primitive == kNoPrimitive ? words.miss_key() : words.of(primitive).type()];
             }
         }).image.hash();
-    for (std::uint32_t key = 0; key < kShadeKeys; ++key) EXPECT_GT(seen[key], 100) << key;
+    for (std::uint32_t key = 0; key <= Materials::size; ++key) EXPECT_GT(seen[key], 100) << key;
 
     const auto image_with = [&](auto change) {
         Scene other = motley();

@@ -81,8 +81,9 @@ HitStorage brute_force(RayStorage& rays, const GeometryView& geometry) {
         Hit hit = no_hit(ray);
         for_each_type(Primitives<Methods>{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
-            for (std::uint32_t p = 0; p < T::count(geometry); ++p)
-                T::make(geometry, p).intersect(context, hit);
+            const bool triangles = std::is_same_v<T, Triangle<Methods>>;
+            const std::uint32_t count = triangles ? geometry.triangle_count : geometry.sphere_count;
+            for (std::uint32_t p = 0; p < count; ++p) T::make(geometry, p).intersect(context, hit);
         });
         hits.view().store(i, hit);
     }

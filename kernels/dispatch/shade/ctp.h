@@ -6,10 +6,11 @@
 
 namespace ctpbench {
 
+template <class Types>
 struct ShadeCtp {
     static constexpr const char* name = "ctp";
     static constexpr PathOrder order = PathOrder::as_traced;
-    using Element = Rebind<Variant, Materials>;
+    using Element = OneOf<Variant, Types>;
 
     struct Visit {
         template <class Visitor>
@@ -17,7 +18,7 @@ struct ShadeCtp {
             return apply_visitor(visitor, element);
         }
     };
-    using Layout = SumTypeMaterials<Element, Visit>;
+    using Layout = SumTypeMaterials<Types, Element, Visit>;
 
     template <class Offset, class View, class ForEach>
     static void shade(const View& view, const ShadeBuffers& io, const ShadeWork& work, ForEach&& for_each) {

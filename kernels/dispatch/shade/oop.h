@@ -18,6 +18,7 @@ struct VirtualMaterials {
     }
 };
 
+template <class Types>
 struct ShadeOop {
     static constexpr const char* name = "oop";
     static constexpr PathOrder order = PathOrder::as_traced;
@@ -25,7 +26,7 @@ struct ShadeOop {
     class Layout {
     public:
         explicit Layout(const MaterialInput& in) {
-            in.for_each([&](const auto& material) {
+            in.for_each<Types>([&](const auto& material) {
                 using T = std::remove_cvref_t<decltype(material)>;
                 objects_.push_back(std::make_unique<MaterialObject<T>>(material));
                 pointers_.push_back(objects_.back().get());

@@ -1,41 +1,35 @@
 // Runtime polymorphism as in `oop`, but the objects of one type are contiguous.
 #pragma once
 
-#include <tuple>
-
 #include "oop.h"
 
 namespace ctpbench {
 
+template <class Types>
 struct ShadeOopArena {
     static constexpr const char* name = "oop_arena";
     static constexpr PathOrder order = PathOrder::as_traced;
 
-    template <class... Ts>
-    using Arenas = std::tuple<Array<MaterialObject<Ts>>...>;
+    template <class T>
+    using Arena = Array<MaterialObject<T>>;
 
     class Layout {
     public:
         explicit Layout(const MaterialInput& in) {
-            for_each_type(Materials{}, [&](auto tag) {  // so that addresses stay valid
+            for_each_type(Types{}, [&](auto tag) {  // so that addresses stay valid
                 using T = typename decltype(tag)::type;
-                arena<T>().reserve(in.first[material_type<T> + 1] - in.first[material_type<T>]);
+                arenas_.template of<T>().reserve(in.end<T, Types>() - in.begin<T, Types>());
             });
-            in.for_each([&](const auto& material) {
+            in.for_each<Types>([&](const auto& material) {
                 using T = std::remove_cvref_t<decltype(material)>;
-                pointers_.push_back(&arena<T>().emplace_back(material));
+                pointers_.push_back(&arenas_.template of<T>().emplace_back(material));
             });
         }
         // Of the host alone: objects are constructed where their virtual tables are.
         VirtualMaterials view(HostPlace) const { return {pointers_.data()}; }
 
     private:
-        template <class T>
-        Array<MaterialObject<T>>& arena() {
-            return std::get<Array<MaterialObject<T>>>(arenas_);
-        }
-
-        Rebind<Arenas, Materials> arenas_;
+        PerType<Arena, Types> arenas_;
         Array<const MaterialBase*> pointers_;
     };
 

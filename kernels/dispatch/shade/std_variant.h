@@ -7,10 +7,11 @@
 
 namespace ctpbench {
 
+template <class Types>
 struct ShadeStdVariant {
     static constexpr const char* name = "std_variant";
     static constexpr PathOrder order = PathOrder::as_traced;
-    using Element = Rebind<std::variant, Materials>;
+    using Element = OneOf<std::variant, Types>;
 
     struct Visit {
         template <class Visitor>
@@ -18,7 +19,7 @@ struct ShadeStdVariant {
             return std::visit(visitor, element);
         }
     };
-    using Layout = SumTypeMaterials<Element, Visit>;
+    using Layout = SumTypeMaterials<Types, Element, Visit>;
 
     template <class Offset, class View, class ForEach>
     static void shade(const View& view, const ShadeBuffers& io, const ShadeWork& work, ForEach&& for_each) {

@@ -1,46 +1,34 @@
 // An array for each material type, without tags or padding: what strategies with a kernel per type lay out.
 #pragma once
 
-#include <tuple>
-
 #include "layout.h"
 
 namespace ctpbench {
 
+template <class Types>
 class TypedMaterialArrays {
 public:
-    template <class... Ts>
-    struct ViewOf : TypedMaterials<Ts>... {
-        template <class T>
-        CTP_INLINE const TypedMaterials<T>& of() const {
-            return *this;
-        }
-    };
-    using View = Rebind<ViewOf, Materials>;
+    using View = PerType<TypedMaterials, Types>;
 
     explicit TypedMaterialArrays(const MaterialInput& in) : in_(in) {
-        in.for_each([&](const auto& material) {
-            std::get<Array<std::remove_cvref_t<decltype(material)>>>(arrays_).push_back(material);
+        in.for_each<Types>([&](const auto& material) {
+            arrays_.template of<std::remove_cvref_t<decltype(material)>>().push_back(material);
         });
     }
     template <class Place>
     View view(const Place& place) const {
         View view{};
-        for_each_type(Materials{}, [&](auto tag) {
+        for_each_type(Types{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
-            const Array<T>& array = std::get<Array<T>>(arrays_);
-            static_cast<TypedMaterials<T>&>(view) = {place(array.data(), array.size()),
-                                                     in_.first[material_type<T>]};
+            const Array<T>& array = arrays_.template of<T>();
+            view.template of<T>() = {place(array.data(), array.size()), in_.begin<T, Types>()};
         });
         return view;
     }
 
 private:
-    template <class... Ts>
-    using Arrays = std::tuple<Array<Ts>...>;
-
     MaterialInput in_;
-    Rebind<Arrays, Materials> arrays_;
+    PerType<Array, Types> arrays_;
 };
 
 }  // namespace ctpbench

@@ -2,6 +2,6 @@
 
 namespace ctpbench {
 
-template std::unique_ptr<Shader> make_with_offset<ExcludeId>(std::string_view, const MaterialInput&);
+template std::unique_ptr<Shader> make_with_offset<ExcludeId>(std::string_view, const MaterialTable&);
 
 }  // namespace ctpbench
