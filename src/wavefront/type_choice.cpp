@@ -51,8 +51,17 @@ TypeChoice type_choice(const std::string& name) {
     trap();
 }
 
+bool types_built(const std::string& types) {
+    const SyntheticTypes synthetic = type_choice(types).synthetic;
+    return !synthetic.any() || std::find(std::begin(kBuiltLists), std::end(kBuiltLists), synthetic.listed) !=
+                                   std::end(kBuiltLists);
+}
+
 std::string types_obstacle(const std::string& types, bool default_methods, std::uint32_t spheres) {
     if (!type_choice(types).synthetic.any()) return {};
+    if (!types_built(types))
+        return "this program was built with CTPBENCH_FEW_TYPES, without types \"" + types +
+               "\"; build it again with that OFF";
     if (!default_methods)
         return "types \"" + types +
                "\" are compiled for the default methods alone; leave out methods, tests and offset, or "

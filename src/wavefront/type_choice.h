@@ -34,6 +34,9 @@ std::vector<std::string> type_choices();
 // Of one of these names; of a yardstick's, all types.
 TypeChoice type_choice(const std::string& name);
 
+// Whether this build has kernels for them on the host.
+bool types_built(const std::string& types);
+
 // Why a contender cannot be had with these types, and what can; empty if it can. Synthetic types are compiled
 // for the default methods alone, and they are triangles.
 std::string types_obstacle(const std::string& types, bool default_methods, std::uint32_t spheres);

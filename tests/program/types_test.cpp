@@ -46,18 +46,18 @@ TEST_F(TypesRun, NarrowingHasALineForEachContenderThatHasBoth) {
 
 TEST_F(TypesRun, OfSyntheticTypesHasAllListsAndKernels) {
     const auto outcome = run_config(R"("matrix": {"scene": "conference_like", "spheres": 0,
-        "strategy": ["ctp", "restart"], "types": ["synthetic_1", "synthetic_4", "synthetic_2_large"]},
+        "strategy": ["ctp", "restart"], "types": ["synthetic_1", "synthetic_8", "synthetic_2_large"]},
         "include": [{"scene": "conference_like", "spheres": 0, "strategy": "ctp",
-                     "types": ["synthetic_1", "synthetic_16"], "shade": ["ctp", "queues"]}],
+                     "types": ["synthetic_1", "synthetic_8"], "shade": ["ctp", "queues"]}],
         "tables": ["types"])");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
     std::multiset<std::string> lines;
     for (const auto& row : read_csv(folder_ / "r/types.csv"))
         lines.insert(row.at("kernel") + " " + row.at("listed"));
-    EXPECT_EQ(lines.count("intersect 4"), 2u);
+    EXPECT_EQ(lines.count("intersect 8"), 2u);
     EXPECT_EQ(lines.count("intersect 2"), 2u);
     for (const char* kernel : {"shade", "sort+shade+compact", "frame"})
-        EXPECT_EQ(lines.count(kernel + std::string(" 16")), 2u) << kernel;
+        EXPECT_EQ(lines.count(kernel + std::string(" 8")), 2u) << kernel;
 }
 
 TEST_F(TypesRun, RefusesWhatCannotBeHad) {
@@ -67,11 +67,11 @@ TEST_F(TypesRun, RefusesWhatCannotBeHad) {
         EXPECT_NE(outcome.output.find(part), std::string::npos) << outcome.output;
     };
     refused(R"("matrix": {"types": "sceen"})", "did you mean \"scene\"?");
-    refused(R"("matrix": {"types": "synthetic_4", "spheres": 10})", "set /matrix/spheres to 0");
-    refused(R"("matrix": {"types": "synthetic_4", "spheres": 0, "methods": "fast"})",
+    refused(R"("matrix": {"types": "synthetic_8", "spheres": 10})", "set /matrix/spheres to 0");
+    refused(R"("matrix": {"types": "synthetic_8", "spheres": 0, "methods": "fast"})",
             "default methods alone");
     refused(R"("matrix": {"types": "all"}, "tables": ["narrowing"])", "name both in /matrix/types");
-    refused(R"("matrix": {"types": "synthetic_4", "spheres": 0}, "tables": ["types"])", "synthetic_1");
+    refused(R"("matrix": {"types": "synthetic_8", "spheres": 0}, "tables": ["types"])", "synthetic_1");
 }
 
 }  // namespace
