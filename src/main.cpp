@@ -37,6 +37,7 @@ void list(const CommandLine& line) {
     print_names("shade strategies", names.shades);
     print_names("traversals", names.traversals);
     print_names("methods", names.methods);
+    print_names("types", names.types);
     print_names("triangle tests", names.triangle_tests);
     print_names("sphere tests", names.sphere_tests);
     print_names("box tests", names.box_tests);

@@ -28,7 +28,7 @@ inline constexpr std::uint32_t kDeviceSyntheticLists[] = {1, 8,
 #if defined(CTPBENCH_FEW_TYPES)
 inline constexpr std::uint32_t kBuiltLists[] = {1, 2, 8};
 #else
-inline constexpr std::uint32_t kBuiltLists[] = {1, 2, 4, 8, 16, 32, 64};
+inline constexpr const auto& kBuiltLists = kSyntheticLists;
 #endif
 inline constexpr std::uint32_t kMaxSyntheticTypes = 64;
 inline constexpr std::uint32_t kLargeBytes = 256;  // that a large type is larger than the others

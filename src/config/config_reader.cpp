@@ -162,18 +162,17 @@ void check_cells(const JsonObject& root, const KnownNames& known, Config& config
         if (!any(false) && element.read(table) && is_among(known.failure_tables, table))
             element.error("needs recorded rays; add \"none\" to /matrix/shade");
     }
-    const auto has_types = [&](const auto& is_wanted) {
+    const auto has_types = [&](const char* types) {
         return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
-            return cell.contender && is_wanted(cell.contender->types);
+            return cell.contender && cell.contender->types == types;
         });
     };
     for (const JsonValue& element : root.list("tables")) {
         std::string table;
         if (!element.read(table)) continue;
-        const auto is = [](const char* name) { return [name](const std::string& t) { return t == name; }; };
-        if (table == "narrowing" && !(has_types(is("all")) && has_types(is("scene"))))
+        if (table == "narrowing" && !(has_types("all") && has_types("scene")))
             element.error("compares types \"all\" with \"scene\"; name both in /matrix/types");
-        if (table == "types" && !has_types(is("synthetic_1")))
+        if (table == "types" && !has_types("synthetic_1"))
             element.error("compares with one type; name \"synthetic_1\" and others in /matrix/types");
     }
     const bool counts_failures =

@@ -3,23 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
+#include "base/type_names.h"
 #include "kernels/materials/list.h"
 #include "kernels/primitives/list.h"
 #include "measure/machine.h"
 
 namespace ctpbench {
 namespace {
-
-// Of the types whose position in the list has its bit set.
-template <class List>
-nlohmann::json names_of(std::uint32_t bits) {
-    nlohmann::json names = nlohmann::json::array();
-    for_each_type(List{}, [&](auto tag) {
-        using T = typename decltype(tag)::type;
-        if (bits >> index_of<T, List> & 1u) names.push_back(T::name);
-    });
-    return names;
-}
 
 nlohmann::json scene_json(const SceneResult& s) {
     nlohmann::json bytes = nlohmann::json::object();

@@ -34,7 +34,7 @@ std::string bytes_text(std::size_t bytes) { return bytes == 0 ? "" : std::to_str
 
 std::string figure(double value) { return std::isnan(value) ? "" : csv_number(value); }
 
-// A kernel of types.csv, and the stages of a frame that it consists of; none: all.
+// A kernel of types.csv, and the stages that it consists of.
 struct Part {
     const char* name;
     std::vector<std::string> stages;

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/suggest.h"
+#include "base/type_names.h"
 #include "kernels/materials/list.h"
 
 namespace ctpbench {
@@ -11,15 +12,9 @@ namespace {
 
 constexpr const char* kKeys[] = {"type", "diffuse", "specular", "exponent", "emission"};
 
-// In the order of the list, so that a name's position is the type's number.
-std::vector<std::string> type_names() {
-    std::vector<std::string> names;
-    for_each_type(Materials{}, [&](auto tag) { names.emplace_back(decltype(tag)::type::name); });
-    return names;
-}
-
 std::optional<std::uint32_t> read_type(const JsonObject& json) {
-    const std::vector<std::string> names = type_names();
+    // A name's position is the type's number.
+    const std::vector<std::string> names = names_of<Materials>();
     std::string name;
     if (!json.get("type", name, names)) return std::nullopt;
     return static_cast<std::uint32_t>(std::find(names.begin(), names.end(), name) - names.begin());

@@ -5,19 +5,13 @@
 #include <algorithm>
 
 #include "base/suggest.h"
+#include "base/type_names.h"
 #include "kernels/dispatch/ctp.h"
 #include "kernels/methods/exchanges.h"
 #include "wavefront/intersector.h"
 
 namespace ctpbench {
 namespace {
-
-template <class List>
-std::vector<std::string> names_of() {
-    std::vector<std::string> names;
-    for_each_type(List{}, [&](auto tag) { names.push_back(decltype(tag)::type::name); });
-    return names;
-}
 
 // A choice with every part named.
 struct Parts {

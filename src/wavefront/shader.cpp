@@ -1,16 +1,12 @@
 #include "wavefront/shader.h"
 
+#include "base/type_names.h"
 #include "kernels/registry.h"
 #include "wavefront/shader_groups.h"
 
 namespace ctpbench {
 
-std::vector<std::string> shade_strategies() {
-    std::vector<std::string> names;
-    for_each_type(ShadeStrategies<Materials>{},
-                  [&](auto tag) { names.push_back(decltype(tag)::type::name); });
-    return names;
-}
+std::vector<std::string> shade_strategies() { return names_of<ShadeStrategies<Materials>>(); }
 
 std::unique_ptr<Shader> make_shader(std::string_view strategy, const MaterialTable& materials,
                                     std::string_view offset) {

@@ -65,8 +65,7 @@ std::string types_obstacle(const std::string& types, bool default_methods, std::
     if (!default_methods)
         return "types \"" + types +
                "\" are compiled for the default methods alone; leave out methods, tests and offset, or "
-               "choose "
-               "types \"" +
+               "choose types \"" +
                kTypesOfScene + "\" or \"" + kAllTypes + "\"";
     if (spheres > 0) return "types \"" + types + "\" are triangles; set /matrix/spheres to 0";
     return {};

@@ -3,20 +3,17 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/type_names.h"
 #include "kernels/registry.h"
 
 namespace ctpbench {
 namespace {
 
-template <class List>
-std::string names_of(std::uint32_t mask) {
-    std::string names;
-    std::uint32_t bit = 1;
-    for_each_type(List{}, [&](auto tag) {
-        if (mask & bit) names += (names.empty() ? "" : "+") + std::string(decltype(tag)::type::name);
-        bit <<= 1;
-    });
-    return names;
+// `matte+plastic`
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : "+") + name;
+    return text;
 }
 
 // Whether kernels with this offset are compiled for fewer than all types.
@@ -43,13 +40,13 @@ MaterialTypes material_types(const std::string& types, const std::string& offset
 
 std::string primitive_list(const std::string& types, const SceneNeeds& needs) {
     if (type_choice(types).synthetic.any()) return {};
-    return names_of<Primitives<Watertight>>(primitive_mask(types, needs));
+    return joined(names_of<Primitives<Watertight>>(primitive_mask(types, needs)));
 }
 
 std::string material_list(const std::string& types, const std::string& offset, const SceneNeeds& needs) {
     if (type_choice(types).synthetic.any()) return {};
     const MaterialTypes known = material_types(types, offset, needs);
-    return names_of<Materials>(known.mask) + (known.textured ? ", textured" : "");
+    return joined(names_of<Materials>(known.mask)) + (known.textured ? ", textured" : "");
 }
 
 TypedScenes::TypedScenes(CpuBackend& backend, const Scene& scene, const SceneView& view, const Forest& forest,
