@@ -40,11 +40,11 @@ struct TypedLeaves {
 
     private:
         template <class... Ts>
-        static std::uint32_t size_of(TypeList<Ts...>, std::uint32_t type) {
+        CTP_INLINE static std::uint32_t size_of(TypeList<Ts...>, std::uint32_t type) {
             static constexpr std::uint32_t sizes[] = {sizeof(typename Place::template Element<Ts>)...};
             return sizes[type];
         }
-        const void* first_entry(const BvhNode& leaf) const {
+        CTP_INLINE const void* first_entry(const BvhNode& leaf) const {
             if constexpr (!kSelected)
                 return first_elements[leaf.type()] + std::size_t{leaf.first} * size_of(Types{}, leaf.type());
             const void* first = nodes;
