@@ -52,5 +52,8 @@ CTP_INLINE Vec3 max(Vec3 a, Vec3 b) { return {max(a.x, b.x), max(a.y, b.y), max(
 
 CTP_INLINE float fma(float a, float b, float c) { return std::fma(a, b, c); }
 CTP_INLINE float absolute(float a) { return std::fabs(a); }
+// For arithmetic that is written over a number type: a pack (simd/) has them too.
+CTP_INLINE float square_root(float a) { return std::sqrt(a); }
+CTP_INLINE float select(bool condition, float yes, float no) { return condition ? yes : no; }
 
 }  // namespace ctpbench

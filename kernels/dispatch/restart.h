@@ -59,6 +59,7 @@ struct Restart {
             using T = typename decltype(tag)::type;
             if (views.trees.template of<T>().nodes != nullptr) last = index_of<T, Types>;
         });
+        if (last < 0) return for_each(io.count, MissKernel{io});
         bool first = true;
         for_each_type(Types{}, [&](auto tag) {
             using T = typename decltype(tag)::type;

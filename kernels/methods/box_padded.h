@@ -51,25 +51,56 @@ struct PaddedBox {
                 inv.z < 0.0f ? 5 : 2};
     }
 
+    // Where the ray crosses the near and the far planes of one box, or of a pack of them.
+    template <class F>
+    struct Crossings {
+        F nx, ny, nz, fx, fy, fz;
+
+        // Where it enters, rounded down, and where it leaves, at most tmax. It meets the box if it enters
+        // first.
+        CTP_INLINE F near() const { return max(max(nx, ny), max(F(0.0f), nz)); }
+        CTP_INLINE F far(F tmax) const { return min(min(fx, fy), min(fz, tmax)); }
+    };
+    // planes.near<axis>() and far<axis>(): of the axis' two planes, the one that the ray crosses first, and
+    // the other one.
+    template <class F, class Planes>
+    CTP_INLINE static Crossings<F> crossings(const Planes& planes, const RaySetup& r) {
+        const F ix(r.ix), iy(r.iy), iz(r.iz);
+        return {
+            fma(planes.template near<0>(), ix, F(r.near_x)), fma(planes.template near<1>(), iy, F(r.near_y)),
+            fma(planes.template near<2>(), iz, F(r.near_z)), fma(planes.template far<0>(), ix, F(r.far_x)),
+            fma(planes.template far<1>(), iy, F(r.far_y)),   fma(planes.template far<2>(), iz, F(r.far_z))};
+    }
+
+    struct PlanesOfNode {
+        const BvhNode& node;
+        const RaySetup& ray;
+
+        CTP_INLINE int offset(int axis) const {
+            return axis == 0 ? ray.plane_x : axis == 1 ? ray.plane_y : ray.plane_z;
+        }
+        template <int axis>
+        CTP_INLINE float near() const {
+            return plane_of<axis>(node.bounds, offset(axis));
+        }
+        template <int axis>
+        CTP_INLINE float far() const {
+            return plane_of<axis>(node.bounds, 2 * axis + 3 - offset(axis));
+        }
+    };
     // Whether the ray can meet the box at or before tmax; `near` is where it enters, rounded down.
     CTP_INLINE static bool test(const BvhNode& node, const RaySetup& r, float tmax, float& near) {
-        const auto& b = node.bounds;
-        const float nx = fma(plane_of<0>(b, r.plane_x), r.ix, r.near_x);
-        const float ny = fma(plane_of<1>(b, r.plane_y), r.iy, r.near_y);
-        const float nz = fma(plane_of<2>(b, r.plane_z), r.iz, r.near_z);
-        const float fx = fma(plane_of<0>(b, 3 - r.plane_x), r.ix, r.far_x);
-        const float fy = fma(plane_of<1>(b, 5 - r.plane_y), r.iy, r.far_y);
-        const float fz = fma(plane_of<2>(b, 7 - r.plane_z), r.iz, r.far_z);
+        const auto c = crossings<float>(PlanesOfNode{node, r}, r);
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 900
         // Floats that are not negative compare like the integers that their bits are, and a negative one is
         // below all of them either way: that is all that matters here. Hopper compares three at a time.
-        const int bits = __vimax3_s32_relu(__float_as_int(nx), __float_as_int(ny), __float_as_int(nz));
+        const int bits = __vimax3_s32_relu(__float_as_int(c.nx), __float_as_int(c.ny), __float_as_int(c.nz));
         near = __int_as_float(bits);
-        return bits <= __vimin3_s32(__float_as_int(fx), __float_as_int(fy),
-                                    ::min(__float_as_int(fz), __float_as_int(tmax)));
+        return bits <= __vimin3_s32(__float_as_int(c.fx), __float_as_int(c.fy),
+                                    ::min(__float_as_int(c.fz), __float_as_int(tmax)));
 #else
-        near = max(max(nx, ny), max(0.0f, nz));
-        return near <= min(min(fx, fy), min(fz, tmax));
+        near = c.near();
+        return near <= c.far(tmax);
 #endif
     }
 };

@@ -27,24 +27,42 @@ struct StableSphere {
         return {ray, std::sqrt(dd), 1.0f / dd};
     }
 
-    // A ray that starts inside hits the far side.
-    CTP_INLINE static void intersect(const Shape& s, std::uint32_t id, const RaySetup& setup, Hit& hit) {
-        const Vec3 d = setup.ray.direction;
-        const Vec3 f = setup.ray.origin - s.center;
-        const float b = -dot(f, d);
-        const Vec3 perpendicular = f + (b * setup.inv_dd) * d;
-        const float rr = s.radius * s.radius;
-        const float discriminant = rr - dot(perpendicular, perpendicular);
-        if (discriminant < 0.0f) return;
+    // Of one sphere, or of a pack of them; F is float or such a pack.
+    template <class F>
+    struct Quadratic {
+        F b, ff_less_rr;  // half the linear coefficient, negated, and the constant one
+        F discriminant;   // negative: the ray's line misses
+    };
+    template <class F>
+    CTP_INLINE static Quadratic<F> quadratic(F cx, F cy, F cz, F radius, const RaySetup& setup) {
+        const Vec3 o = setup.ray.origin, d = setup.ray.direction;
+        const F dx(d.x), dy(d.y), dz(d.z);
+        const F fx = F(o.x) - cx, fy = F(o.y) - cy, fz = F(o.z) - cz;
+        const F b = -(fx * dx + fy * dy + fz * dz);
+        const F along = b * F(setup.inv_dd);
+        const F px = fx + along * dx, py = fy + along * dy, pz = fz + along * dz;
+        const F rr = radius * radius;
+        return {b, (fx * fx + fy * fy + fz * fz) - rr, rr - (px * px + py * py + pz * pz)};
+    }
+    // The smaller positive root, where the discriminant is not negative. A ray that starts inside hits the
+    // far side.
+    template <class F>
+    CTP_INLINE static F t_of(const Quadratic<F>& e, const RaySetup& setup) {
         // Not the root of length^2 times the discriminant: that underflows in small scenes.
-        const float root = setup.length * std::sqrt(discriminant);
-        const float q = b < 0.0f ? b - root : b + root;
-        const float t1 = q * setup.inv_dd;  // the root that is larger in magnitude
+        const F root = F(setup.length) * square_root(e.discriminant);
+        const F q = select(e.b < F(0.0f), e.b - root, e.b + root);
+        const F t1 = q * F(setup.inv_dd);  // the root that is larger in magnitude
         // Where the ray starts on the sphere and grazes it, numerator and q are both rounding: without the
         // bound that t1 gives, the point reported would lie tens of ulps off the sphere.
-        const float t0 = min(max((dot(f, f) - rr) / q, -absolute(t1)), absolute(t1));
-        const float near = min(t0, t1);
-        const float t = near > 0.0f ? near : max(t0, t1);
+        const F t0 = min(max(e.ff_less_rr / q, -absolute(t1)), absolute(t1));
+        const F near = min(t0, t1);
+        return select(F(0.0f) < near, near, max(t0, t1));
+    }
+
+    CTP_INLINE static void intersect(const Shape& s, std::uint32_t id, const RaySetup& setup, Hit& hit) {
+        const auto e = quadratic<float>(s.center.x, s.center.y, s.center.z, s.radius, setup);
+        if (e.discriminant < 0.0f) return;
+        const float t = t_of(e, setup);
         if (hit.accepts(t, id)) hit = {t, id, 0.0f, 0.0f};
     }
 };

@@ -12,9 +12,10 @@
 
 namespace ctpbench {
 
-// a b - c d with an error below 1.5 ulp (Jeannerod, Louvet & Muller 2013).
-CTP_INLINE float difference_of_products(float a, float b, float c, float d) {
-    const float w = c * d;
+// a b - c d with an error below 1.5 ulp (Jeannerod, Louvet & Muller 2013). F is float or a pack of them.
+template <class F>
+CTP_INLINE F difference_of_products(F a, F b, F c, F d) {
+    const F w = c * d;
     return fma(a, b, -w) + fma(-c, d, w);
 }
 
@@ -36,13 +37,24 @@ struct WatertightTriangle {
     }
 
     CTP_INLINE static RaySetup setup(const Ray& ray) {
-        const Vec3 o = ray.origin, d = ray.direction;
-        const float ax = absolute(d.x), ay = absolute(d.y), az = absolute(d.z);
-        const int kz = ax > ay ? (ax > az ? 0 : 2) : (ay > az ? 1 : 2);
-        const int kx = kz == 2 ? 0 : kz + 1;
-        const int ky = kx == 2 ? 0 : kx + 1;
-        const float r = 1.0f / d[kz];
-        return {kx, ky, kz, o[kx], o[ky], o[kz], d[kx] * r, d[ky] * r, r};
+        const float o[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+        const float d[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
+        const float ax = absolute(d[0]), ay = absolute(d[1]), az = absolute(d[2]);
+        // By arithmetic: which axis it is cannot be predicted.
+        const int x_over_y = ax > ay, not_z = max(ax, ay) > az;
+        const int kz = 2 - not_z - (not_z & x_over_y);
+        const int kx = 0b001001 >> 2 * kz & 3;  // the axis after it, and the one after that
+        const int ky = 0b010010 >> 2 * kz & 3;
+        const float r = 1.0f / element(d, kz);
+        return {kx,
+                ky,
+                kz,
+                element(o, kx),
+                element(o, ky),
+                element(o, kz),
+                element(d, kx) * r,
+                element(d, ky) * r,
+                r};
     }
 
     // t from the triangle's plane, kept within [lo, hi]. The t of the barycentric weights is bounded at any
@@ -67,27 +79,52 @@ struct WatertightTriangle {
         return min(max(distance * r.sz / slope, lo), hi);
     }
 
+    // Of one triangle, or of a pack of them.
+    template <class F>
+    struct Edges {
+        F az, bz, cz;  // of the vertices, from the ray's origin
+        F u, v, w;     // edge functions: the weights of a, b and c, times their sum
+    };
+    // vertices(i, axis): a coordinate of vertex i.
+    template <class F, class Vertices>
+    CTP_INLINE static Edges<F> edges(const Vertices& vertices, const RaySetup& r) {
+        Edges<F> e;
+        const F sx(r.sx), sy(r.sy), ox(r.ox), oy(r.oy), oz(r.oz);
+        e.az = vertices(0, r.kz) - oz;
+        e.bz = vertices(1, r.kz) - oz;
+        e.cz = vertices(2, r.kz) - oz;
+        const F ax = fma(-sx, e.az, vertices(0, r.kx) - ox);
+        const F ay = fma(-sy, e.az, vertices(0, r.ky) - oy);
+        const F bx = fma(-sx, e.bz, vertices(1, r.kx) - ox);
+        const F by = fma(-sy, e.bz, vertices(1, r.ky) - oy);
+        const F cx = fma(-sx, e.cz, vertices(2, r.kx) - ox);
+        const F cy = fma(-sy, e.cz, vertices(2, r.ky) - oy);
+        e.u = difference_of_products(cx, by, cy, bx);
+        e.v = difference_of_products(ax, cy, ay, cx);
+        e.w = difference_of_products(bx, ay, by, ax);
+        return e;
+    }
+    // The ray's t, given the reciprocal of the sum of the edge functions.
+    template <class F>
+    CTP_INLINE static F t_of(const Edges<F>& e, F inv, const RaySetup& r) {
+        return fma(e.u, e.az, fma(e.v, e.bz, e.w * e.cz)) * (F(r.sz) * inv);
+    }
+    // Up to where the sign of t is in doubt, see refined_t().
+    template <class F>
+    CTP_INLINE static F doubt(const Edges<F>& e, const RaySetup& r) {
+        return F(0x1p-21f) * max(max(absolute(e.az), absolute(e.bz)), absolute(e.cz)) * F(absolute(r.sz));
+    }
+
     CTP_INLINE static void intersect(const Shape& s, std::uint32_t id, const RaySetup& r, Hit& hit) {
-        const float az = element(s.vertex[0], r.kz) - r.oz;
-        const float bz = element(s.vertex[1], r.kz) - r.oz;
-        const float cz = element(s.vertex[2], r.kz) - r.oz;
-        const float ax = fma(-r.sx, az, element(s.vertex[0], r.kx) - r.ox);
-        const float ay = fma(-r.sy, az, element(s.vertex[0], r.ky) - r.oy);
-        const float bx = fma(-r.sx, bz, element(s.vertex[1], r.kx) - r.ox);
-        const float by = fma(-r.sy, bz, element(s.vertex[1], r.ky) - r.oy);
-        const float cx = fma(-r.sx, cz, element(s.vertex[2], r.kx) - r.ox);
-        const float cy = fma(-r.sy, cz, element(s.vertex[2], r.ky) - r.oy);
-        const float u = difference_of_products(cx, by, cy, bx);
-        const float v = difference_of_products(ax, cy, ay, cx);
-        const float w = difference_of_products(bx, ay, by, ax);
-        if (min(min(u, v), w) < 0.0f && max(max(u, v), w) > 0.0f) return;
-        const float det = (u + v) + w;
+        const auto e = edges<float>([&](int i, int axis) { return element(s.vertex[i], axis); }, r);
+        if (min(min(e.u, e.v), e.w) < 0.0f && max(max(e.u, e.v), e.w) > 0.0f) return;
+        const float det = (e.u + e.v) + e.w;
         if (det == 0.0f) return;
         const float inv = 1.0f / det;
-        float t = fma(u, az, fma(v, bz, w * cz)) * (r.sz * inv);
-        const float error = 0x1p-21f * max(max(absolute(az), absolute(bz)), absolute(cz)) * absolute(r.sz);
+        float t = t_of(e, inv, r);
+        const float error = doubt(e, r);
         if (absolute(t) <= error) t = refined_t(s, r, t - error, t + error);
-        if (hit.accepts(t, id)) hit = {t, id, v * inv, w * inv};
+        if (hit.accepts(t, id)) hit = {t, id, e.v * inv, e.w * inv};
     }
 };
 

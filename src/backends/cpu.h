@@ -50,11 +50,12 @@ public:
         return arena_.execute(std::forward<F>(f));
     }
 
-private:
-    // A chunk is worth a call through a pointer; one instantiation of oneTBB's loop then serves all kernels.
-    using Chunk = void (*)(const void* kernel, std::uint32_t begin, std::uint32_t end);
-    void for_each_chunk(std::uint32_t count, std::uint32_t grain, Chunk chunk, const void* kernel);
+    // Calls chunk(shared, begin, end) for chunks of at most `grain` of [0, count). A chunk is worth a call
+    // through a pointer; one instantiation of oneTBB's loop then serves all kernels.
+    using Chunk = void (*)(const void* shared, std::uint32_t begin, std::uint32_t end);
+    void for_each_chunk(std::uint32_t count, std::uint32_t grain, Chunk chunk, const void* shared);
 
+private:
     oneapi::tbb::task_arena arena_;
 };
 

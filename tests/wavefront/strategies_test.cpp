@@ -6,6 +6,7 @@
 #include "support.h"
 #include "wavefront/columns.h"
 #include "wavefront/forest.h"
+#include "wavefront/interleaved/intersector.h"
 #include "wavefront/intersector.h"
 #include "wavefront/scene_view.h"
 
@@ -90,6 +91,25 @@ HitStorage brute_force(RayStorage& rays, const GeometryView& geometry) {
     return hits;
 }
 
+struct Named {
+    std::string name;
+    std::unique_ptr<Intersector> intersector;
+};
+
+// Every strategy with every traversal, on every instruction set that this machine has.
+template <class Methods>
+std::vector<Named> all_intersectors(CpuBackend& backend, const LayoutInput& input) {
+    std::vector<Named> all;
+    for (const StrategyInfo& s : intersect_strategies())
+        all.push_back({s.name, make_intersector(s.name, Methods::name, input)});
+    if (std::is_same_v<Methods, Watertight>)
+        for (const std::string& isa : usable_isas())
+            for (const StrategyInfo& s : interleaved_strategies())
+                all.push_back(
+                    {s.name + ", interleaved, " + isa, make_interleaved(backend, s.name, input, isa)});
+    return all;
+}
+
 template <class Methods>
 void expect_all_strategies_give(const Scene& scene, const SceneView& view, RayStorage& rays,
                                 bool with_spheres) {
@@ -97,19 +117,17 @@ void expect_all_strategies_give(const Scene& scene, const SceneView& view, RaySt
     CpuBackend one(1), two(2);
     for (const BuilderInfo& builder : tree_builders()) {
         const Forest forest = forest_of(two, scene, builder.settings);
-        for (const StrategyInfo& strategy : intersect_strategies()) {
-            const auto intersector =
-                make_intersector(strategy.name, Methods::name, forest.layout_input(view.geometry()));
+        for (const Named& named : all_intersectors<Methods>(two, forest.layout_input(view.geometry()))) {
             for (CpuBackend* backend : {&one, &two})
                 for (bool carry_t : {true, false}) {
-                    const Traced traced = trace(*backend, *intersector, rays, view.geometry(), carry_t);
+                    const Traced traced = trace(*backend, *named.intersector, rays, view.geometry(), carry_t);
                     EXPECT_EQ(traced.hits.hash(), expected)
-                        << Methods::name << ", " << strategy.name << ", builder " << builder.name << ", "
+                        << Methods::name << ", " << named.name << ", builder " << builder.name << ", "
                         << backend->threads() << " threads, carry_t " << carry_t;
                     EXPECT_GT(traced.found, 300u);
                     EXPECT_EQ(traced.spheres > 0, with_spheres);
                 }
-            EXPECT_GT(intersector->bytes(), 0u);
+            EXPECT_GT(named.intersector->bytes(), 0u);
         }
     }
 }
@@ -197,14 +215,80 @@ TEST(Ties, CoincidentPrimitivesGoToTheLowestId) {
     rays.view().store(1, {{0, 0, 9}, {0, 0, -1}, kInfinity});
     for (const BuilderInfo& builder : tree_builders()) {
         const Forest forest = forest_of(backend, scene, builder.settings);
-        for (const StrategyInfo& strategy : intersect_strategies()) {
-            const auto intersector =
-                make_intersector(strategy.name, "watertight", forest.layout_input(view.geometry()));
-            Traced traced = trace(backend, *intersector, rays, view.geometry(), true);
-            EXPECT_EQ(traced.hits.view().primitive[0], 0u) << strategy.name;
-            EXPECT_EQ(traced.hits.view().primitive[1], 40u) << strategy.name;
+        for (const Named& named :
+             all_intersectors<Watertight>(backend, forest.layout_input(view.geometry()))) {
+            Traced traced = trace(backend, *named.intersector, rays, view.geometry(), true);
+            EXPECT_EQ(traced.hits.view().primitive[0], 0u) << named.name;
+            EXPECT_EQ(traced.hits.view().primitive[1], 40u) << named.name;
         }
     }
+}
+
+TEST(Intersectors, OfNothingMissEverything) {
+    const Scene scene = test::soup(0, 0, 1);
+    const SceneView view(scene);
+    CpuBackend backend(2);
+    RayStorage rays;
+    rays.resize(3000);
+    for (std::uint32_t i = 0; i < 3000; ++i) rays.view().store(i, {{0, 0, -3}, {0, 0, 1}, 5.0f});
+    const Forest forest = forest_of(backend, scene, SbvhSettings::quality());
+    for (const Named& named : all_intersectors<Watertight>(backend, forest.layout_input(view.geometry()))) {
+        Traced traced = trace(backend, *named.intersector, rays, view.geometry(), true);
+        EXPECT_EQ(traced.found, 0u) << named.name;
+        EXPECT_EQ(traced.hits.view().t[2999], 5.0f) << named.name;
+    }
+}
+
+// What the stage leaves behind beside hits, and which rays it takes: the same whatever the traversal.
+TEST(Intersectors, KeepToSegmentsAndRecordKeysInOrder) {
+    const Scene scene = test::soup(600, 200, 17);
+    const SceneView view(scene);
+    CpuBackend backend(2);
+    constexpr std::uint32_t kSegments = 11, kRays = kSegments * kSegment;
+    RayStorage rays = adversarial_rays(scene, kRays, 23);
+    std::vector<std::uint32_t> index(kRays), counts(kSegments);
+    for (std::uint32_t i = 0; i < kRays; ++i) index[i] = i ^ 1u;
+    for (std::uint32_t s = 0; s < kSegments; ++s) counts[s] = s % 3 == 1 ? 0 : kSegment - 97 * s;
+    counts[2] = 1;
+    std::vector<MaterialWord> of_triangle;
+    for (std::uint32_t i = 0; i < 600; ++i) of_triangle.push_back(MaterialWord::make(i % 3, i));
+    const MaterialWords words{of_triangle.data(), 600, MaterialWord::make(3, 0), 4};
+    struct Left {
+        HitStorage hits;
+        std::vector<std::uint8_t> keys = std::vector<std::uint8_t>(kRays, 77);
+        std::vector<std::uint32_t> slots = std::vector<std::uint32_t>(5 * kRays, 0);
+        std::vector<std::uint32_t> lengths = std::vector<std::uint32_t>(kSegments * segment_stride(5), 0);
+        bool operator==(const Left& o) const {
+            return keys == o.keys && slots == o.slots && lengths == o.lengths;
+        }
+    };
+    const auto run = [&](const Intersector& intersector, bool segmented, bool queues) {
+        Left left;
+        left.hits.resize(kRays);
+        for (std::uint32_t i = 0; i < kRays; ++i) left.hits.view().store(i, {-1.0f, 5, 0.25f, 0.5f});
+        IntersectBuffers io{rays.view(), left.hits.view(), index.data(), kRays, view.geometry().extent};
+        io.keys.words = words;
+        if (queues)
+            io.keys.queues = {left.slots.data(), left.lengths.data(), kRays, segment_stride(5)};
+        else
+            io.keys.keys = left.keys.data();
+        if (segmented) io.segment_counts = counts.data(), io.segments = kSegments;
+        intersector.intersect(backend, io, true);
+        return left;
+    };
+    const Forest forest = forest_of(backend, scene, SbvhSettings::quality());
+    const std::vector<Named> all =
+        all_intersectors<Watertight>(backend, forest.layout_input(view.geometry()));
+    for (const bool segmented : {false, true})
+        for (const bool queues : {false, true}) {
+            if (queues && !segmented) continue;  // queues are in segments
+            const Left expected = run(*all[0].intersector, segmented, queues);
+            for (const Named& named : all) {
+                const Left left = run(*named.intersector, segmented, queues);
+                EXPECT_EQ(left.hits.hash(), expected.hits.hash()) << named.name << segmented << queues;
+                EXPECT_TRUE(left == expected) << named.name << segmented << queues;
+            }
+        }
 }
 
 }  // namespace

@@ -1,0 +1,157 @@
+#include "wavefront/interleaved/intersector.h"
+
+#include <utility>
+
+#include "wavefront/interleaved/arena.h"
+#include "wavefront/interleaved/code.h"
+#include "wavefront/interleaved/leaf_writers.h"
+
+namespace ctpbench {
+namespace {
+
+// Rays that a thread takes at once, and as many in segments.
+constexpr std::uint32_t kGrain = 4 * kSegment;
+
+struct Code {
+    TraceInFlight (*trace)(LeafKind leaves, std::uint32_t types);
+    ConstructBlock construct;
+};
+Code code_of(const std::string& isa) {
+    Code code{};
+    visit_isa(isa, [&](auto tag) {
+        using Isa = typename decltype(tag)::type;
+        code = {InterleavedCode<Isa>::trace, InterleavedCode<Isa>::construct};
+    });
+    if (code.trace == nullptr) trap();
+    return code;
+}
+
+// One pass over the rays, through one tree.
+struct Pass {
+    WideView tree;
+    TraceInFlight trace;
+
+    void run(CpuBackend& backend, const IntersectBuffers& io, PassKind kind) const {
+        struct Shared {
+            const Pass& pass;
+            const IntersectBuffers& io;
+            PassKind kind;
+        };
+        const Shared shared{*this, io, kind};
+        const bool segmented = io.segment_counts != nullptr;
+        backend.for_each_chunk(
+            segmented ? io.segments : io.count, segmented ? kGrain / kSegment : kGrain,
+            [](const void* p, std::uint32_t begin, std::uint32_t end) {
+                const auto& s = *static_cast<const Shared*>(p);
+                s.pass.trace(s.pass.tree, s.io, s.kind, begin, end);
+            },
+            &shared);
+    }
+};
+
+void miss_all(CpuBackend& backend, const IntersectBuffers& io) {
+    if (io.segment_counts == nullptr)
+        backend.for_each(io.count, MissKernel{io});
+    else
+        backend.for_each_in_segments(io.segments, kSegment, io.segment_counts, MissKernel{io});
+}
+
+class InterleavedIntersector final : public Intersector {
+public:
+    InterleavedIntersector(CpuBackend& backend, const GeometryView& geometry, const Code& code)
+        : backend_(backend), geometry_(geometry), code_(code) {}
+
+    // Adds a pass, unless there is nothing in its tree.
+    template <class Types>
+    void add(LeafKind kind, const TreeView& tree, bool single_type_leaves, bool objects_together) {
+        if (tree.ref_count == 0) return;
+        visit_type<LeafKinds<Types>>(static_cast<std::uint32_t>(kind), [&](auto tag) {
+            using Leaves = typename decltype(tag)::type;
+            if constexpr (std::is_same_v<Leaves, VirtualBlocks<BlocksOf<Types>>>)
+                lay_out<Types>(kind, tree, single_type_leaves,
+                               LeafWriter<Leaves, Types>(code_.construct, objects_together));
+            else
+                lay_out<Types>(kind, tree, single_type_leaves, LeafWriter<Leaves, Types>());
+        });
+    }
+
+    void intersect(CpuBackend& backend, const IntersectBuffers& io, bool carry_t) const override {
+        if (passes_.empty()) return miss_all(backend, io);
+        for (std::size_t i = 0; i < passes_.size(); ++i) {
+            IntersectBuffers pass = io;
+            if (i + 1 < passes_.size()) pass.keys = {};  // hits are not final yet
+            passes_[i].run(backend, pass,
+                           i == 0    ? PassKind::only
+                           : carry_t ? PassKind::bound
+                                     : PassKind::fresh);
+        }
+    }
+    std::size_t bytes() const override { return bytes_; }
+
+private:
+    template <class Types, class Writer>
+    void lay_out(LeafKind kind, const TreeView& tree, bool single_type_leaves, Writer&& writer) {
+        struct Memory {
+            std::remove_cvref_t<Writer> writer;  // objects are its own
+            Arena<Types, std::remove_cvref_t<Writer>> arena;
+        };
+        CollapseCosts costs;
+        costs.single_type_leaves = single_type_leaves;
+        backend_.execute([&] {
+            auto memory = std::make_shared<Memory>(Memory{std::move(writer), {}});
+            memory->arena.build(collapse(tree, costs), tree, geometry_, memory->writer);
+            passes_.push_back({memory->arena.view(), code_.trace(kind, mask_of<Types>)});
+            bytes_ += memory->arena.bytes() + memory->writer.object_bytes();
+            memory_.push_back(std::move(memory));
+        });
+    }
+
+    CpuBackend& backend_;
+    GeometryView geometry_;
+    Code code_;
+    std::vector<Pass> passes_;
+    std::vector<std::shared_ptr<void>> memory_;
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+std::vector<StrategyInfo> interleaved_strategies() {
+    std::vector<StrategyInfo> all;
+    for_each_type(InterleavedStrategies{}, [&](auto tag) {
+        using Strategy = typename decltype(tag)::type;
+        all.push_back({Strategy::name, Strategy::tree});
+    });
+    return all;
+}
+
+std::unique_ptr<Intersector> make_interleaved(CpuBackend& backend, std::string_view strategy,
+                                              const LayoutInput& input, const std::string& isa) {
+    auto made = std::make_unique<InterleavedIntersector>(backend, input.geometry, code_of(isa));
+    bool found = false;
+    const auto add_passes = [&](auto strategy_tag, auto list) {
+        using Strategy = typename decltype(strategy_tag)::type;
+        using Types = typename decltype(list)::type;
+        found = true;
+        const bool together = std::is_same_v<Strategy, WideOopArena>;
+        if constexpr (Strategy::tree == TreeKind::per_type)
+            for_each_type(Types{}, [&](auto tag) {
+                using T = typename decltype(tag)::type;
+                made->template add<TypeList<T>>(Strategy::leaves, input.per_type.at(primitive_tag<T>), true,
+                                                together);
+            });
+        else if constexpr (Strategy::tree == TreeKind::typed_leaves)
+            made->template add<Types>(Strategy::leaves, input.typed_leaves, true, together);
+        else
+            made->template add<Types>(Strategy::leaves, input.mixed, false, together);
+    };
+    visit_filtered<Primitives<Watertight>>(input.types, [&](auto list) {
+        for_each_type(InterleavedStrategies{}, [&](auto tag) {
+            if (strategy == decltype(tag)::type::name) add_passes(tag, list);
+        });
+    });
+    if (!found) trap();
+    return made;
+}
+
+}  // namespace ctpbench

@@ -1,0 +1,10 @@
+// Compiled with the flags of this instruction set (CMakeLists.txt).
+#if defined(__x86_64__)
+#include "wavefront/interleaved/code_impl.h"
+
+namespace ctpbench {
+
+template struct InterleavedCode<Avx2>;
+
+}  // namespace ctpbench
+#endif

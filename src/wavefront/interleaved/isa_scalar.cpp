@@ -1,0 +1,7 @@
+#include "wavefront/interleaved/code_impl.h"
+
+namespace ctpbench {
+
+template struct InterleavedCode<ScalarIsa>;
+
+}  // namespace ctpbench
