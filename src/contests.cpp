@@ -104,8 +104,8 @@ void run_intersect_contest(const RunContext& run, ContestInput& input,
     std::vector<Entrant> entrants;
     for (const Contender& c : contenders) {
         const bool yardstick = c.is_yardstick();
-        if (yardstick && c.backend == "cpu" && embree_version().empty()) {
-            run.note(c.label() + ": left out, this program was built without Embree");
+        if (const std::string why = embree_obstacle(c.strategy); !why.empty()) {
+            run.note(c.label() + ": left out, " + why);
             continue;
         }
         entrants.push_back(

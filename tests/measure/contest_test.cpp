@@ -64,7 +64,7 @@ protected:
     const SceneView& view_ = stage_.view;
     const Intersector* ctp_ = stage_.intersector.get();
     std::unique_ptr<Intersector> restart_;
-    std::unique_ptr<EmbreeIntersector> oracle_;
+    std::unique_ptr<Intersector> oracle_;
     std::vector<Batch> batches_;
 };
 
