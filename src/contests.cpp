@@ -1,7 +1,9 @@
 #include "contests.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "kernels/registry.h"
 #include "measure/contest.h"
@@ -40,6 +42,19 @@ void run_rounds(const RunContext& run, Contest& contest, Entrants& entrants) {
     }
 }
 
+bool is_recorded(const Config& config, std::uint32_t bounce) {
+    const auto& wanted = config.batch_bounces;
+    return wanted.empty() || std::find(wanted.begin(), wanted.end(), bounce) != wanted.end();
+}
+
+// Why a contender is left out of the contest; empty if it is not.
+std::string obstacle(const Contender& c) {
+    if (const std::string why = embree_obstacle(c.strategy); !why.empty()) return why;
+    const int allowed = ThreadPools::allowed();
+    if (static_cast<int>(c.threads) <= allowed) return {};
+    return "this machine allows " + std::to_string(allowed) + (allowed == 1 ? " thread" : " threads");
+}
+
 // What the first valid contender has accumulated; the others have the same.
 void write_images(const RunContext& run, const ContestInput& input,
                   const std::vector<FrameEntrant>& entrants) {
@@ -66,10 +81,18 @@ void record_frame(const RunContext& run, ContestInput& input) {
         .make(recording, frame_settings(run.config, recording))
         ->frame(true, 0, image, [&](const BounceView& view) {
             stop_if_interrupted();
+            if (!is_recorded(run.config, view.bounce)) return;
             Batch& batch = input.batches.emplace_back(
                 record_batch(view.bounce, view.rays, view.slots, run.config.batch_rays, view.excluded));
-            batch.hit_hash = record_hits(batch, view.hits).hash();
+            HitStorage found = record_hits(batch, view.hits);
+            batch.hit_hash = found.hash();
+            if (input.compares) input.found.push_back(std::move(found));
         });
+    for (const std::uint32_t bounce : run.config.batch_bounces)
+        if (std::none_of(input.batches.begin(), input.batches.end(),
+                         [&](const Batch& b) { return b.bounce == bounce; }))
+            run.note(input.workload.name() + ": no path reaches bounce " + std::to_string(bounce) +
+                     ", so that no rays of it are traced");
     if (input.examined != nullptr) input.batches.push_back(exam_batch(run, input, run.config.stress_rays));
 }
 
@@ -100,12 +123,15 @@ void run_intersect_contest(const RunContext& run, ContestInput& input,
         exam.emplace(run, input, *input.examined, recorded.back());
         recorded = recorded.first(recorded.size() - 1);
     }
-    Contest contest(run.backend, input.view.geometry(), recorded, input.oracle, run.config.oracle_rays);
+    std::optional<HitComparison> comparison;
+    if (input.compares) comparison.emplace(run.backend, input.view.geometry(), input.found);
+    Contest contest(run.backend, input.view.geometry(), recorded, input.oracle, run.config.oracle_rays,
+                    comparison ? &*comparison : nullptr);
     std::vector<Entrant> entrants;
     for (const Contender& c : contenders) {
         const bool yardstick = c.is_yardstick();
-        if (yardstick && c.backend == "cpu" && embree_version().empty()) {
-            run.note(c.label() + ": left out, this program was built without Embree");
+        if (const std::string why = obstacle(c); !why.empty()) {
+            run.note(c.label() + ": left out, " + why);
             continue;
         }
         entrants.push_back(

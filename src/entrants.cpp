@@ -38,7 +38,8 @@ FrameSettings frame_settings(const Config& config, const Contender& c) {
 std::unique_ptr<BatchTracer> tracer_of(const RunContext& run, const ContestInput& input, const Contender& c) {
     const std::string methods = intersect_key(c);
     if (c.backend == "cuda") return input.cuda->tracer(c.strategy, methods, c.types);
-    return std::make_unique<CpuTracer>(run.backend, input.lineup.get(c.strategy, methods, c.types),
+    return std::make_unique<CpuTracer>(run.pools.get(static_cast<int>(c.threads)),
+                                       input.lineup.get(c.strategy, methods, c.types),
                                        input.view.geometry().extent);
 }
 

@@ -26,6 +26,8 @@ struct ContestInput {
     std::vector<Batch> batches{};          // of the reference's frame; none: nobody intersects
     const Tree* examined{};                // over all primitives; null: failures are not counted. Else the
                                            // exam's batch follows the frame's
+    bool compares = false;                 // whether contenders are compared with what the frame hit
+    std::vector<HitStorage> found{};       // if so: what that was, by batch
     std::unique_ptr<CudaWorkload> cuda{};  // null: no contender is for CUDA; after the batches, which it uses
 };
 

@@ -19,6 +19,7 @@
 #include "report/image.h"
 #include "report/meta.h"
 #include "report/pareto.h"
+#include "report/peers.h"
 #include "report/summary.h"
 #include "report/tables.h"
 #include "report/type_tables.h"
@@ -57,7 +58,7 @@ public:
           backend_(static_cast<int>(config.threads)),
           progress_(options.quiet),
           rows_(prepared(folder_, config), id_, config.experiment, backend_.threads()),
-          context_{config_, folder_, backend_, progress_, rows_, results_, options.quiet} {
+          context_{config_, folder_, backend_, pools_, progress_, rows_, results_, options.quiet} {
         if (config.study == Study::stability) stability_.emplace(folder_);
         write_meta("running");
         if (!options.notice.empty()) context_.note(options.notice);
@@ -121,6 +122,7 @@ private:
             if (table == "narrowing") write_file(folder_ / "narrowing.csv", narrowing_csv(results_));
             if (table == "types") write_file(folder_ / "types.csv", types_csv(results_));
             if (table == "pareto") write_file(folder_ / "pareto.csv", pareto_csv(config_, results_));
+            if (table == "peers") write_file(folder_ / "peers.csv", peers_csv(results_, backend_.threads()));
             if (table == "figure4") write_file(folder_ / "figure4.csv", figure4_csv(config_, results_));
         }
     }
@@ -206,6 +208,7 @@ private:
         for (const Contender& c : cells.contenders) (c.renders() ? rendering : intersecting).push_back(c);
         ContestInput input{cells.workload, scene, view, scenes, lineup, oracle, in_results};
         if (is_among(config_.tables, "pareto")) input.examined = forest.mixed.get();
+        input.compares = is_among(config_.tables, "peers");
         if (!intersecting.empty()) record_frame(context_, input);
         input.cuda = cuda_workload(context_, input, cells.contenders);
         if (!intersecting.empty()) run_intersect_contest(context_, input, intersecting);
@@ -222,6 +225,7 @@ private:
     std::string id_;
     std::filesystem::path folder_;
     CpuBackend backend_;
+    ThreadPools pools_{backend_};
     Progress progress_;
     Results results_;
     RowsFile rows_;

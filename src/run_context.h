@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "backends/cpu.h"
+#include "backends/thread_pools.h"
 #include "base/interrupt.h"
 #include "config/config.h"
 #include "measure/results.h"
@@ -25,6 +25,7 @@ struct RunContext {
     const Config& config;
     const std::filesystem::path& folder;
     CpuBackend& backend;
+    ThreadPools& pools;  // for contenders that ask for a number of threads
     Progress& progress;
     RowsFile& rows;
     Results& results;

@@ -19,8 +19,8 @@ constexpr double kTrees = 0.05, kReference = 0.4;
 std::vector<Contender> able(const RunContext& run, const Scene& scene, const std::vector<Contender>& all) {
     std::vector<Contender> list;
     for (const Contender& c : all) {
-        if (c.is_yardstick() && c.backend == "cpu" && embree_version().empty())
-            run.note(c.label() + ": left out, this program was built without Embree");
+        if (const std::string why = embree_obstacle(c.strategy); !why.empty())
+            run.note(c.label() + ": left out, " + why);
         else if (c.strategy == kCudaYardstick && !scene.spheres.empty())
             run.note(c.label() + ": left out of workloads with spheres, which it does not intersect");
         else

@@ -27,6 +27,7 @@ struct Axes {
     std::vector<std::string> offset;                                // of rays that leave a surface; likewise
     std::vector<std::uint32_t> bounce_limit;                        // of frames; 0: the config's `bounces`
     std::vector<bool> roulette;                                     // of frames
+    std::vector<std::uint32_t> threads;  // of the CPU, for recorded rays; 0: the run's
 
     bool operator==(const Axes&) const = default;
 };
@@ -45,7 +46,8 @@ inline constexpr const char* types_of_scene = "scene";
 inline Axes default_axes() {
     return {{"smoke"},   {1000},      {0.03},         {"quality"},      {"cpu"},    {"ctp"},
             {true},      {"single"},  {"watertight"}, {types_of_scene}, {no_shade}, {"isolated"},
-            {of_bundle}, {of_bundle}, {of_bundle},    {of_bundle},      {0},        {false}};
+            {of_bundle}, {of_bundle}, {of_bundle},    {of_bundle},      {0},        {false},
+            {0}};
 }
 
 // Whether the axis belongs to what is traced, not to who traces it.
@@ -74,6 +76,7 @@ void for_each_axis(AxesOrConst& axes, F&& f) {
     f("offset", axes.offset);
     f("bounce_limit", axes.bounce_limit);
     f("roulette", axes.roulette);
+    f("threads", axes.threads);
 }
 
 }  // namespace ctpbench

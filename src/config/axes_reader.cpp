@@ -17,7 +17,9 @@ public:
         return axis_ == "scene" ? is_scene_name(element, value) : is_choice(element, value);
     }
     bool read(const JsonValue& element, std::uint32_t& value) const {
-        return element.read(value, range(0, axis_ == "bounce_limit" ? max_bounces : max_spheres));
+        return element.read(value, range(0, axis_ == "bounce_limit" ? max_bounces
+                                            : axis_ == "threads"    ? max_threads
+                                                                    : max_spheres));
     }
     bool read(const JsonValue& element, double& value) const { return element.read(value, {0, 10, false}); }
     bool read(const JsonValue& element, bool& value) const { return element.read(value); }
@@ -79,7 +81,8 @@ void read_axis(const JsonValue& written, const ElementReader& reader, std::vecto
 std::string meaningless(std::string_view axis, const Config& config) {
     if (!config.measure && !is_workload_axis(axis)) return "means nothing as \"measure\" is false";
     const bool of_speed = is_workload_axis(axis) || axis == "restart_carries_t" || axis == "shade" ||
-                          axis == "launch" || axis == "bounce_limit" || axis == "roulette";
+                          axis == "launch" || axis == "bounce_limit" || axis == "roulette" ||
+                          axis == "threads";
     if (config.study == Study::stability && of_speed)
         return "means nothing in a stability study, whose workloads are \"stress\"";
     return {};

@@ -59,6 +59,8 @@ void for_each_part(Study study, F&& f) {
     f(&Axes::roulette, &Contender::roulette, renders);
     f(&Axes::launch, &Contender::launch,
       [](const Contender& c) { return c.renders() && c.backend == "cuda"; });
+    f(&Axes::threads, &Contender::threads,
+      [](const Contender& c) { return !c.renders() && c.backend == "cpu"; });
 }
 
 std::vector<Contender> contenders_of(const Axes& axes, Study study, const KnownNames& known) {

@@ -40,6 +40,7 @@ struct Contender {
     std::uint32_t bounce_limit = 0;      // of a frame; 0: the config's `bounces`
     bool roulette = false;               // of a frame
     std::string types = types_of_scene;  // that it is compiled for; own_way for a yardstick
+    std::uint32_t threads = 0;           // of the CPU that trace recorded rays; 0: the run's own
 
     // Whether whole frames are measured rather than the intersection of recorded rays.
     bool renders() const { return shade != no_shade; }
@@ -61,8 +62,10 @@ struct Contender {
     std::string strategy_name() const;
     // `/all`; nothing for the default.
     std::string types_part() const;
-    // `/pluecker/limit4/roulette`: what is neither strategy, traversal, methods, types nor launch and has not
-    // its default.
+    // `/1thread`, `/2threads`; nothing for the run's own.
+    std::string threads_part() const;
+    // `/pluecker/limit4/roulette`: what is neither strategy, traversal, methods, types, launch nor
+    // threads and has not its default.
     std::string exchanged() const;
     bool operator==(const Contender&) const = default;
 };
@@ -84,10 +87,10 @@ struct WorkloadCells {
 
 // Cells in the order of axes.h, an axis' values in the order written; then those of `include`. An axis that
 // means nothing for a cell makes no further cells: restart_carries_t but for restart, sphere_radius without
-// spheres, traversal, methods and types for yardsticks, launch but for frames on a GPU, offset but for frames
-// and in a stability study, all of a contender if nothing is measured. A yardstick is a cell on its own
-// backend alone. In a stability study the workloads are the config's `stress`, each with those who can meet
-// it.
+// spheres, traversal, methods and types for yardsticks, launch but for frames on a GPU, threads but for rays
+// on a CPU, offset but for frames and in a stability study, all of a contender if nothing is measured. A
+// yardstick is a cell on its own backend alone. In a stability study the workloads are the config's `stress`,
+// each with those who can meet it.
 std::vector<Cell> expand(const Config& config, const KnownNames& known);
 
 // The cells of these axes alone, in a config like this.

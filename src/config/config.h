@@ -50,9 +50,10 @@ struct Config {
     std::string reference = "ctp";      // strategy (of frames: shade strategy) that ratios refer to; the
                                         // strategy also records the rays
     std::uint32_t batch_rays = 131072;  // rays timed of each bounce; 0: all
-    std::uint32_t oracle_rays = 20000;  // rays of each bounce that the oracle checks
-    std::vector<std::string> tables;    // of the paper, to be written beside the rows
-    bool images = false;                // whether what frames accumulated is written as EXR and PNG
+    std::vector<std::uint32_t> batch_bounces{};  // whose rays are recorded, 0 being the camera's; none: all
+    std::uint32_t oracle_rays = 20000;           // rays of each bounce that the oracle checks
+    std::vector<std::string> tables;             // of the paper, to be written beside the rows
+    bool images = false;                         // whether what frames accumulated is written as EXR and PNG
 
     // Of a stability study alone.
     std::vector<std::string> stress{};     // workloads; the reader fills in all that there are
@@ -97,6 +98,7 @@ struct KnownNames {
     std::vector<std::string> frame_tables = {"table1", "figure4"};  // need rendered frames
     std::vector<std::string> failure_tables = {"pareto"};           // intersect, and failures beside it
     std::vector<std::string> type_tables = {"narrowing", "types"};  // either
+    std::vector<std::string> peer_tables = {"peers"};               // intersect, beside Embree's
 
     const Yardstick* yardstick(const std::string& name) const;  // null: there is none of this name
     std::vector<std::string> all_strategies() const;

@@ -8,6 +8,7 @@
 #include "config/cells.h"
 #include "config/config.h"
 #include "config/study_reader.h"
+#include "config/tables_reader.h"
 
 namespace ctpbench {
 namespace {
@@ -41,6 +42,34 @@ void read_header(const JsonObject& root, Config& config) {
     root.get("description", config.description);
 }
 
+void read_batch_bounces(const JsonObject& root, Config& config) {
+    const JsonValue written = root.value("batch_bounces");
+    if (!written.present()) return;
+    const std::vector<JsonValue> elements = written.list_or_one();
+    if (elements.empty()) written.error("leaves no rays; name bounces, or remove the key for all of them");
+    for (const JsonValue& element : elements) {
+        std::uint32_t bounce = 0;
+        if (!element.read(bounce, range(0, config.bounces))) continue;
+        if (std::find(config.batch_bounces.begin(), config.batch_bounces.end(), bounce) !=
+            config.batch_bounces.end())
+            element.error("is here twice; remove one of the two");
+        else
+            config.batch_bounces.push_back(bounce);
+    }
+}
+
+// Recorded rays alone are traced by as many threads of the CPU as a contender asks for.
+void check_threads(const JsonObject& written, const Axes& axes) {
+    const JsonValue threads = written.value("threads");
+    if (std::all_of(axes.threads.begin(), axes.threads.end(), [](std::uint32_t n) { return n == 0; })) return;
+    if (std::any_of(axes.shade.begin(), axes.shade.end(), [](const auto& s) { return s != no_shade; }))
+        threads.error(
+            "frames are rendered by the run's own threads; name shade strategies in an entry of /include, "
+            "without threads");
+    else if (!is_among(axes.backend, "cpu"))
+        threads.error("concerns the CPU alone; add backend \"cpu\", or remove it");
+}
+
 void read_settings(const JsonObject& root, Config& config) {
     root.get("width", config.width, range(1, max_image_side));
     root.get("height", config.height, range(1, max_image_side));
@@ -49,26 +78,9 @@ void read_settings(const JsonObject& root, Config& config) {
     root.get("seed", config.seed);
     root.get("threads", config.threads, range(0, max_threads));
     root.get("batch_rays", config.batch_rays, range(0, max_rays));
+    read_batch_bounces(root, config);
     root.get("oracle_rays", config.oracle_rays, range(1, max_rays));
     root.get("images", config.images);
-}
-
-void read_tables(const JsonObject& root, const KnownNames& known, Config& config) {
-    const std::vector<std::string> possible = config.measure ? known.all_tables() : known.tree_tables;
-    const JsonValue written = root.value("tables");
-    for (const JsonValue& element : written.list()) {
-        std::string name;
-        if (!element.read(name)) continue;
-        if (!config.measure && !is_among(known.tree_tables, name) && is_among(known.all_tables(), name)) {
-            element.error("needs measurements, but \"measure\" is false; change one of the two");
-        } else if (!is_among(possible, name)) {
-            element.error(unknown_name("table", name, possible));
-        } else if (is_among(config.tables, name)) {
-            element.error("is here twice; remove one of the two");
-        } else {
-            config.tables.push_back(name);
-        }
-    }
 }
 
 // Whether multiplying out is affordable; an error otherwise.
@@ -133,60 +145,20 @@ void check_cells(const JsonObject& root, const KnownNames& known, Config& config
     }
     check_obstacles(root, cells, known);
     if (config.measure && config.study == Study::speed) check_reference(root, cells, config.reference);
-    const auto all = [&](bool renders) {
-        return std::all_of(cells.begin(), cells.end(), [&](const Cell& cell) {
-            return cell.contender && cell.contender->renders() == renders;
-        });
-    };
-    const auto any = [&](bool renders) {
-        return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
-            return cell.contender && cell.contender->renders() == renders;
-        });
-    };
+    const bool all_render = std::all_of(cells.begin(), cells.end(), [](const Cell& cell) {
+        return cell.contender && cell.contender->renders();
+    });
     if (config.study != Study::speed) {
         for (const JsonValue& element : root.list("tables"))
             element.error("belongs to studies of speed; this study writes its own table");
         if (config.images) root.error("images", "belongs to studies of speed; remove it");
-        if (config.study == Study::convergence && !all(true))
+        if (root.has("batch_bounces")) root.error("batch_bounces", "belongs to studies of speed; remove it");
+        if (config.study == Study::convergence && !all_render)
             root.value("matrix").error(
                 "every contender must render; name shade strategies, without \"none\"");
         return;
     }
-    if (!root.has("tables")) {
-        config.tables = known.tree_tables;
-        if (any(false)) config.tables = joined(config.tables, known.speed_tables);
-        if (any(true)) config.tables = joined(config.tables, known.frame_tables);
-    }
-    for (const JsonValue& element : root.list("tables")) {
-        std::string table;
-        if (!any(false) && element.read(table) && is_among(known.failure_tables, table))
-            element.error("needs recorded rays; add \"none\" to /matrix/shade");
-    }
-    const auto has_types = [&](const char* types) {
-        return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
-            return cell.contender && cell.contender->types == types;
-        });
-    };
-    for (const JsonValue& element : root.list("tables")) {
-        std::string table;
-        if (!element.read(table)) continue;
-        if (table == "narrowing" && !(has_types("all") && has_types("scene")))
-            element.error("compares types \"all\" with \"scene\"; name both in /matrix/types");
-        if (table == "types" && !has_types("synthetic_1"))
-            element.error("compares with one type; name \"synthetic_1\" and others in /matrix/types");
-    }
-    const bool counts_failures =
-        std::any_of(config.tables.begin(), config.tables.end(),
-                    [&](const std::string& table) { return is_among(known.failure_tables, table); });
-    if (root.has("stress_rays") && !counts_failures)
-        root.error("stress_rays", "means nothing without table \"pareto\"; remove it, or add that");
-    if (any(true)) return;
-    constexpr const char* remedy = "needs rendered frames; name shade strategies in /matrix/shade";
-    if (config.images) root.error("images", remedy);
-    for (const JsonValue& element : root.list("tables")) {
-        std::string table;
-        if (element.read(table) && is_among(known.frame_tables, table)) element.error(remedy);
-    }
+    check_tables(root, cells, known, config);
 }
 
 }  // namespace
@@ -208,8 +180,10 @@ std::vector<std::string> KnownNames::all_strategies() const {
 }
 std::vector<std::string> KnownNames::all_shades() const { return joined({no_shade}, shades); }
 std::vector<std::string> KnownNames::all_tables() const {
-    return joined(joined(joined(joined(tree_tables, speed_tables), frame_tables), failure_tables),
-                  type_tables);
+    std::vector<std::string> all = tree_tables;
+    for (const auto* more : {&speed_tables, &frame_tables, &failure_tables, &type_tables, &peer_tables})
+        all = joined(all, *more);
+    return all;
 }
 
 Config read_config(JsonDocument document, const KnownNames& known) {
@@ -221,7 +195,9 @@ Config read_config(JsonDocument document, const KnownNames& known) {
     read_settings(root, config);
     read_tables(root, known, config);
 
-    read_axes(root.object("matrix"), config, known, config.matrix);
+    const JsonObject matrix = root.object("matrix");
+    read_axes(matrix, config, known, config.matrix);
+    check_threads(matrix, config.matrix);
     for (const JsonValue& element : root.list("exclude")) {
         read_axes(element.object(), config, known, config.exclude.emplace_back());
         if (config.exclude.back() == Axes{} && !reader.failed()) {
@@ -230,6 +206,7 @@ Config read_config(JsonDocument document, const KnownNames& known) {
     }
     for (const JsonValue& element : root.list("include")) {
         read_axes(element.object(), config, known, config.include.emplace_back(default_axes()));
+        check_threads(element.object(), config.include.back());
     }
     if (config.measure && !known.only_backends.empty()) {
         config.matrix.backend = known.only_backends;

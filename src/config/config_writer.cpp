@@ -48,6 +48,7 @@ nlohmann::json to_json(const Config& config) {
                            {"oracle_rays", config.oracle_rays},
                            {"tables", config.tables},
                            {"images", config.images}};
+    if (!config.batch_bounces.empty()) json["batch_bounces"] = config.batch_bounces;
     if (config.study == Study::stability) json["stress"] = config.stress;
     const bool pareto =
         std::find(config.tables.begin(), config.tables.end(), "pareto") != config.tables.end();

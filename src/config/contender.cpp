@@ -69,23 +69,28 @@ std::string Contender::label_on_backend() const {
     if (!launch.empty() && launch != defaults().launch.front()) label += "/" + launch;
     if (traversal != own_way && traversal != defaults().traversal.front()) label += "/" + traversal;
     if (!is_yardstick() && methods != defaults().methods.front()) label += "/" + methods;
-    return label + types_part() + exchanged();
+    return label + types_part() + exchanged() + threads_part();
 }
 
 std::string Contender::types_part() const {
     return types == own_way || types == defaults().types.front() ? "" : "/" + types;
 }
 
+std::string Contender::threads_part() const {
+    return threads == 0 ? "" : "/" + std::to_string(threads) + (threads == 1 ? "thread" : "threads");
+}
+
 std::string Cell::name() const {
     if (!contender) return workload.name();
     const Contender& c = *contender;
     return workload.name() + "/" + c.backend + "/" + c.strategy_name() + "/" + c.traversal + "/" + c.methods +
-           c.types_part() + c.exchanged() + (c.launch.empty() ? "" : "/" + c.launch);
+           c.types_part() + c.exchanged() + c.threads_part() + (c.launch.empty() ? "" : "/" + c.launch);
 }
 
 std::string format_cells(const std::vector<Cell>& cells) {
     std::vector<std::vector<std::string>> rows = {{"scene", "spheres", "sphere_radius", "builder", "backend",
-                                                   "contender", "traversal", "methods", "types", "launch"}};
+                                                   "contender", "traversal", "methods", "types", "launch",
+                                                   "threads"}};
     for (const Cell& cell : cells) {
         const Workload& w = cell.workload;
         rows.push_back(
@@ -93,7 +98,8 @@ std::string format_cells(const std::vector<Cell>& cells) {
         if (const auto& c = cell.contender) {
             for (const std::string& column :
                  {c->backend, c->strategy_name(), c->traversal, c->methods + c->exchanged(), c->types,
-                  c->launch.empty() ? std::string("-") : c->launch}) {
+                  c->launch.empty() ? std::string("-") : c->launch,
+                  c->threads == 0 ? std::string("-") : std::to_string(c->threads)}) {
                 rows.back().push_back(column);
             }
         } else {

@@ -5,8 +5,11 @@
 namespace ctpbench {
 
 Contest::Contest(CpuBackend& backend, const GeometryView& geometry, std::span<Batch> batches,
-                 const Intersector* oracle, std::uint32_t oracle_rays)
-    : geometry_(geometry), batches_(batches), judge_(backend, geometry, oracle, oracle_rays) {
+                 const Intersector* oracle, std::uint32_t oracle_rays, HitComparison* comparison)
+    : geometry_(geometry),
+      batches_(batches),
+      judge_(backend, geometry, oracle, oracle_rays),
+      comparison_(comparison) {
     for (const Batch& batch : batches) expected_[recorded_hits].push_back(batch.hit_hash);
 }
 
@@ -33,6 +36,10 @@ std::vector<Row> Contest::verify(Entrant& entrant, CellResult& cell) {
         if (exact && hash != expected[b]) ++differing;
         if (entrant.judged && judge_.can_judge())
             cell.verdict += judge_.judge_hits(b, batch, *entrant.tracer, hash);
+        BounceSeries& series = cell.bounces.emplace_back();
+        series.bounce = batch.bounce;
+        if (comparison_ != nullptr)
+            series.against_reference = comparison_->compare(b, batch, *entrant.tracer, hash);
         rows.push_back({entrant.cell, "intersect", batch.bounce, 0, batch.active,
                         static_cast<std::uint32_t>(batch.rays.size()), 0.0, hash});
     }
@@ -54,6 +61,7 @@ std::vector<Row> Contest::round(std::uint32_t number, std::vector<Entrant>& entr
                                 const std::function<bool()>& stop) {
     std::vector<Row> rows;
     std::vector<double> frame_seconds(entrants.size(), 0.0);
+    std::vector<std::vector<double>> mrays(entrants.size());  // by batch
     std::uint64_t frame_rays = 0, timed_rays = 0;
     for (const Batch& batch : batches_) frame_rays += batch.active, timed_rays += batch.rays.size();
     for (std::size_t e : round_order(entrants.size(), number)) {
@@ -72,15 +80,18 @@ std::vector<Row> Contest::round(std::uint32_t number, std::vector<Entrant>& entr
             }
             rows.push_back(
                 {entrant.cell, "intersect", batch.bounce, number, batch.active, count, seconds, hash});
+            mrays[e].push_back(rows.back().mrays_per_second());
             // A batch stands for all paths that were active at its bounce.
             frame_seconds[e] += seconds * batch.active / count;
         }
     }
-    for (std::size_t e = 0; e < entrants.size(); ++e)
-        if (frame_seconds[e] > 0.0)
-            results.cells[entrants[e].cell].add("intersect", timed_rays,
-                                                static_cast<double>(frame_rays) / frame_seconds[e] * 1e-6,
-                                                frame_seconds[e]);
+    for (std::size_t e = 0; e < entrants.size(); ++e) {
+        if (frame_seconds[e] <= 0.0) continue;
+        CellResult& cell = results.cells[entrants[e].cell];
+        cell.add("intersect", timed_rays, static_cast<double>(frame_rays) / frame_seconds[e] * 1e-6,
+                 frame_seconds[e]);
+        for (std::size_t b = 0; b < batches_.size(); ++b) cell.bounces[b].mrays.push_back(mrays[e][b]);
+    }
     return rows;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernels/methods/bundles.h"
+#include "measure/hit_comparison.h"
 #include "measure/hit_judge.h"
 #include "measure/results.h"
 #include "wavefront/batch.h"
@@ -33,9 +34,10 @@ inline constexpr const char* recorded_hits = Watertight::name;
 
 class Contest {
 public:
-    // `oracle` may be null: hits are then compared among contenders only.
+    // `oracle` may be null: hits are then compared among contenders only. `comparison` may be null: then
+    // nobody is set beside the recorded frame ray by ray.
     Contest(CpuBackend& backend, const GeometryView& geometry, std::span<Batch> batches,
-            const Intersector* oracle, std::uint32_t oracle_rays);
+            const Intersector* oracle, std::uint32_t oracle_rays, HitComparison* comparison = nullptr);
 
     // Traces every batch untimed, which also warms up; judges the hits and sets the cell's verdict. Returns
     // one row per batch, without a time.
@@ -53,6 +55,7 @@ private:
     GeometryView geometry_;
     std::span<Batch> batches_;
     HitJudge judge_;
+    HitComparison* comparison_;
     std::map<std::string, std::vector<std::uint64_t>>
         expected_;  // by name, hashes by batch; 0: not known yet
     bool counted_ = false;

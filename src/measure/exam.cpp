@@ -7,13 +7,13 @@
 
 #include "backends/cpu.h"
 #include "kernels/methods/lists.h"
+#include "measure/judged.h"
 #include "measure/statistics.h"
 
 namespace ctpbench {
 namespace {
 
 constexpr std::uint32_t kSlice = 65536;  // rays between two safe points: a fraction of a second
-constexpr std::uint32_t kChunk = 1024;   // rays of one verdict
 
 // each(i) for i in 0..n-1 on all threads, slice by slice.
 template <class Each>
@@ -23,21 +23,6 @@ void in_slices(CpuBackend& backend, std::uint32_t n, const SafePoint& safe_point
         backend.for_each(
             std::min(kSlice, n - first), [&, first](std::uint32_t i) { each(first + i); }, 256);
     }
-}
-
-// The sum of each(i, verdict) over i in 0..n-1.
-template <class Each>
-Verdict judged(CpuBackend& backend, std::uint32_t n, const Each& each) {
-    const std::uint32_t chunks = (n + kChunk - 1) / kChunk;
-    std::vector<Verdict> parts(chunks);
-    backend.for_each(
-        chunks,
-        [&](std::uint32_t c) {
-            for (std::uint32_t i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) each(i, parts[c]);
-        },
-        1);
-    return std::accumulate(parts.begin(), parts.end(), Verdict{},
-                           [](Verdict sum, const Verdict& part) { return sum += part; });
 }
 
 std::uint32_t size_of(const Batch& batch) { return static_cast<std::uint32_t>(batch.rays.size()); }

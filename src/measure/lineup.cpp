@@ -26,19 +26,23 @@ const Intersector& Lineup::get(const std::string& strategy, const std::string& m
 
 std::unique_ptr<Intersector> Lineup::make(const std::string& strategy, const std::string& methods,
                                           const std::string& types) {
-    for (const EmbreeContender& e : embree_contenders()) {
-        if (e.name != strategy) continue;
-        step_("building Embree's tree (" + e.name + ")");
-        auto embree = make_embree(scene_, e.mode, threads_);
-        TreeResult tree;
-        tree.workload = workload_, tree.kind = strategy;
-        tree.primitives = scene_.mesh.triangles.size() + scene_.spheres.size();
-        tree.build_seconds = embree->build_seconds(), tree.bytes = embree->bytes();
-        results_.trees.push_back(tree);
-        return embree;
-    }
+    for (const EmbreeContender& e : embree_contenders())
+        if (e.name == strategy) return make_embree(embree_scene(e.mode), e.call, e.coherent);
     step_("laying out " + strategy);
     return make_intersector(strategy, methods, scenes_.layout(types));
+}
+
+std::shared_ptr<const EmbreeScene> Lineup::embree_scene(EmbreeMode mode) {
+    std::shared_ptr<const EmbreeScene>& scene = embree_scenes_[mode];
+    if (scene) return scene;
+    TreeResult tree;
+    tree.workload = workload_, tree.kind = mode == EmbreeMode::robust ? "embree_robust" : "embree_default";
+    step_("building Embree's tree (" + tree.kind + ")");
+    scene = std::make_shared<const EmbreeScene>(scene_, mode, threads_);
+    tree.primitives = scene_.mesh.triangles.size() + scene_.spheres.size();
+    tree.build_seconds = scene->build_seconds(), tree.bytes = scene->bytes();
+    results_.trees.push_back(tree);
+    return scene;
 }
 
 }  // namespace ctpbench

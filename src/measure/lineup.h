@@ -1,5 +1,5 @@
 // The contenders of one workload, laid out on demand. Those that differ only in how they are launched share
-// one layout.
+// one layout, those of Embree's that differ only in how they are called share its tree.
 #pragma once
 
 #include <functional>
@@ -8,6 +8,7 @@
 #include <string>
 
 #include "measure/results.h"
+#include "oracle/embree_scene.h"
 #include "wavefront/intersector.h"
 #include "wavefront/typed_scenes.h"
 
@@ -36,6 +37,7 @@ public:
 private:
     std::unique_ptr<Intersector> make(const std::string& strategy, const std::string& methods,
                                       const std::string& types);
+    std::shared_ptr<const EmbreeScene> embree_scene(EmbreeMode mode);
 
     const Workload& workload_;
     const Scene& scene_;
@@ -43,6 +45,7 @@ private:
     int threads_;
     Results& results_;
     std::function<void(const std::string&)> step_;
+    std::map<EmbreeMode, std::shared_ptr<const EmbreeScene>> embree_scenes_;
     std::map<std::string, std::unique_ptr<Intersector>> made_;
 };
 

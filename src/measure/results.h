@@ -42,6 +42,13 @@ struct KernelSeries {
     std::vector<double> seconds;  // of the frame
 };
 
+// What was measured of a contender on the recorded rays of one bounce.
+struct BounceSeries {
+    std::uint32_t bounce = 0;
+    std::vector<double> mrays;  // Mrays/s, by round
+    Verdict against_reference;  // its hits beside those that the rays' own frame found; no rays: not compared
+};
+
 // How the error of a contender's pictures falls. By seed, then by k: after 2^k samples per pixel.
 struct Convergence {
     std::vector<std::vector<double>> seconds, relmse;
@@ -60,6 +67,7 @@ struct CellResult {
     Verdict verdict;
     std::optional<Accuracy> accuracy;                    // where failures are counted beside the speed
     std::vector<KernelSeries> kernels;                   // in the order of the pipeline
+    std::vector<BounceSeries> bounces;                   // of recorded rays, in the order of the batches
     std::size_t layout_bytes = 0;                        // on a CPU, beside the trees; 0: not known
     std::uint64_t image_hash = 0;                        // of a frame contest, after the last whole round
     std::uint32_t samples = 0;                           // per pixel in that image

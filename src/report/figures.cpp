@@ -59,7 +59,9 @@ const CellResult* reference_of(const CellResult& cell, const Results& results, c
 }
 
 const CellResult* yardstick_of(const CellResult& cell, const Results& results) {
-    if (cell.contender.backend == "cpu") return results.find(cell.workload, kYardstick);
+    // With as many threads of the CPU.
+    if (cell.contender.backend == "cpu")
+        return results.find(cell.workload, kYardstick + cell.contender.threads_part());
     return results.find(cell.workload, std::string(kCudaYardstick) + "/" + cell.contender.backend);
 }
 

@@ -46,6 +46,10 @@ RowsFile::RowsFile(const std::filesystem::path& folder, std::string run_id, std:
       experiment_(std::move(experiment)),
       threads_(threads) {}
 
+int RowsFile::threads_of(const Contender& contender) const {
+    return contender.threads == 0 ? threads_ : static_cast<int>(contender.threads);
+}
+
 void RowsFile::append(const Results& results, const std::vector<Row>& rows) {
     std::vector<std::vector<std::string>> lines;
     for (const Row& row : rows) {
@@ -60,7 +64,7 @@ void RowsFile::append(const Results& results, const std::vector<Row>& rows) {
                          csv_number(cell.workload.sphere_radius),
                          cell.workload.builder,
                          cell.contender.backend,
-                         std::to_string(threads_),
+                         std::to_string(threads_of(cell.contender)),
                          cell.contender.strategy,
                          cell.contender.restart_carries_t ? "true" : "false",
                          cell.contender.traversal,

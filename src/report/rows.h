@@ -12,10 +12,13 @@ namespace ctpbench {
 
 class RowsFile {
 public:
+    // `threads`: of those that do not ask for a number of their own.
     RowsFile(const std::filesystem::path& folder, std::string run_id, std::string experiment, int threads);
     void append(const Results& results, const std::vector<Row>& rows);
 
 private:
+    int threads_of(const Contender& contender) const;
+
     CsvFile file_;
     std::string run_id_, experiment_;
     int threads_;

@@ -126,15 +126,35 @@ TEST(Cells, LabelsAreShortAndUnique) {
                      "restart_fresh_t/packet", "restart_fresh_t/packet/paper", "embree_robust"}));
 }
 
+// A number of threads is a contender's own where it traces recorded rays on a CPU.
+TEST(Cells, ThreadsTellContendersOfRaysApart) {
+    const std::vector<Cell> cells = cells_of(R"("matrix": {"backend": ["cpu", "cuda"],
+        "strategy": ["ctp", "embree_default"], "threads": [0, 1, 2]},
+        "include": [{"strategy": "ctp", "shade": "ctp"}], "exclude": [{"strategy": "ctp", "threads": 2}])");
+    Names labels;
+    for (const Cell& cell : cells) labels.push_back(cell.contender->label());
+    EXPECT_EQ(labels, (Names{"ctp", "ctp/1thread", "embree_default", "embree_default/1thread",
+                             "embree_default/2threads", "ctp/cuda", "ctp+ctp"}));
+    EXPECT_EQ(names_of(cells)[1], "smoke/1000/cpu/ctp/single/watertight/1thread");
+    EXPECT_EQ(names_of(filter(cells, "/2threads")), Names{"smoke/1000/cpu/embree_default/own/own/2threads"});
+    EXPECT_EQ(cells[1].contender->threads, 1u);
+    EXPECT_EQ(cells[5].contender->threads, 0u) << "a device has none";
+    EXPECT_NE(format_cells(cells).find("own    -       2\n"), std::string::npos) << format_cells(cells);
+}
+
 TEST(Cells, FormatAsATable) {
     EXPECT_EQ(
         format_cells(cells_of(R"("matrix": {"spheres": [0, 10000], "strategy": ["ctp", "embree_robust"]})")),
         "scene  spheres  sphere_radius  builder  backend  contender      traversal  methods     types  "
-        "launch\n"
-        "smoke  0        -              quality  cpu      ctp            single     watertight  scene  -\n"
-        "smoke  0        -              quality  cpu      embree_robust  own        own         own    -\n"
-        "smoke  10000    0.03           quality  cpu      ctp            single     watertight  scene  -\n"
-        "smoke  10000    0.03           quality  cpu      embree_robust  own        own         own    -\n");
+        "launch  threads\n"
+        "smoke  0        -              quality  cpu      ctp            single     watertight  scene  -     "
+        "  -\n"
+        "smoke  0        -              quality  cpu      embree_robust  own        own         own    -     "
+        "  -\n"
+        "smoke  10000    0.03           quality  cpu      ctp            single     watertight  scene  -     "
+        "  -\n"
+        "smoke  10000    0.03           quality  cpu      embree_robust  own        own         own    -     "
+        "  -\n");
 }
 
 // A yardstick is a cell on its own backend alone, and how kernels are launched concerns frames on a GPU

@@ -54,7 +54,7 @@ TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
         "strategy": ["oop", "ctp"], "restart_carries_t": [false, true], "traversal": "packet", "methods": "paper",
         "types": "all", "shade": ["sort", "ctp"], "triangle_test": ["bundle", "pluecker"], "sphere_test": "textbook",
         "box_test": "plain", "offset": "exclude_id", "bounce_limit": [0, 2], "roulette": true
-    }, "width": 1, "height": 16384, "bounces": 2, "rounds": 3, "seed": 18446744073709551615, "threads": 4,
+    }, "include": [{"threads": [2, 1]}], "batch_bounces": [2, 0], "width": 1, "height": 16384, "bounces": 2, "rounds": 3, "seed": 18446744073709551615, "threads": 4,
     "reference": "ctp", "images": true, "batch_rays": 0, "oracle_rays": 1, "tables": []})");
     EXPECT_EQ(config.matrix, (Axes{{"a", "b"},
                                    {0},
@@ -73,7 +73,10 @@ TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
                                    {"plain"},
                                    {"exclude_id"},
                                    {0, 2},
-                                   {true}}));
+                                   {true},
+                                   {0}}));
+    EXPECT_EQ(config.include[0].threads, (std::vector<std::uint32_t>{2, 1}));
+    EXPECT_EQ(config.batch_bounces, (std::vector<std::uint32_t>{2, 0}));
     EXPECT_EQ(config.height, 16384u);
     EXPECT_EQ(config.seed, 18'446'744'073'709'551'615u);
     EXPECT_EQ(config.reference, "ctp");
@@ -93,16 +96,21 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         "t.json:3:32: error: /matrix/spheres/3: is here twice; remove one of the two\n"
         "t.json:4:23: error: /matrix/strategy/1: unknown strategy \"opp\"; did you mean \"oop\"? choices: "
         "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
-        "\"embree_default\", \"while_while\"\n"
+        "\"embree_default\", \"while_while\", \"embree_16\", \"embree_16_robust\", \"embree_16_coherent\", "
+        "\"embree_16_coherent_robust\", \"embree_stream\", \"embree_stream_robust\", "
+        "\"embree_stream_coherent\", \"embree_stream_coherent_robust\"\n"
         "t.json:4:40: error: /matrix/scene: an axis needs a value; give one, or remove the key\n"
         "t.json:5:11: error: /rounds: must be from 1 to 10000, found 0\n"
         "t.json:5:14: error: /widht: unknown key; did you mean \"width\"?\n"
         "t.json:5:34: error: /seed: expected an integer written without point or exponent, found 1.5\n"
         "t.json:6:14: error: /reference: unknown strategy \"cpt\"; did you mean \"ctp\"? choices: "
         "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
-        "\"embree_default\", \"while_while\", \"sort\", \"sort_restored\", \"queues\"\n"
+        "\"embree_default\", \"while_while\", \"embree_16\", \"embree_16_robust\", \"embree_16_coherent\", "
+        "\"embree_16_coherent_robust\", \"embree_stream\", \"embree_stream_robust\", "
+        "\"embree_stream_coherent\", \"embree_stream_coherent_robust\", \"sort\", \"sort_restored\", "
+        "\"queues\"\n"
         "t.json:6:42: error: /tables/1: unknown table \"table9\"; did you mean \"table2\"? choices: "
-        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\", \"narrowing\", \"types\"\n"
+        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\", \"narrowing\", \"types\", \"peers\"\n"
         "t.json:6:52: error: /tables/2: is here twice; remove one of the two");
 }
 
@@ -234,12 +242,50 @@ TEST(Config, RendersWhereAShadeStrategyIsNamed) {
         "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"sort\", \"sort_restored\", \"queues\"");
 }
 
+// Bounces are those of the frame; threads are for recorded rays on the CPU.
+TEST(Config, RefusesBouncesAndThreadsThatMeanNothing) {
+    EXPECT_EQ(error_of("\"bounces\": 4, \"batch_bounces\": [0, 5, 4, 4]}"),
+              "t.json:2:36: error: /batch_bounces/1: must be from 0 to 4, found 5\n"
+              "t.json:2:42: error: /batch_bounces/3: is here twice; remove one of the two");
+    EXPECT_EQ(
+        error_of("\"batch_bounces\": []}"),
+        "t.json:2:18: error: /batch_bounces: leaves no rays; name bounces, or remove the key for all of "
+        "them");
+    EXPECT_EQ(error_of("\"matrix\": {\"shade\": \"ctp\"}, \"batch_bounces\": 1}"),
+              "t.json:2:46: error: /batch_bounces: needs recorded rays; add \"none\" to /matrix/shade");
+    EXPECT_EQ(error_of("\"measure\": false, \"batch_bounces\": 1}"),
+              "t.json:2:36: error: /batch_bounces: means nothing as \"measure\" is false; remove one of the "
+              "two");
+    EXPECT_EQ(error_of("\"study\": \"stability\", \"batch_bounces\": 1}"),
+              "t.json:2:40: error: /batch_bounces: belongs to studies of speed; remove it");
+    EXPECT_EQ(error_of("\"matrix\": {\"threads\": [1, 1025]}}"),
+              "t.json:2:27: error: /matrix/threads/1: must be from 0 to 1024, found 1025");
+    EXPECT_EQ(error_of("\"include\": [{\"shade\": [\"none\", \"ctp\"], \"threads\": [1, 2]}]}"),
+              "t.json:2:51: error: /include/0/threads: frames are rendered by the run's own threads; name "
+              "shade strategies in an entry of /include, without threads");
+    EXPECT_EQ(
+        error_of("\"matrix\": {\"backend\": \"cuda\", \"threads\": 1}}"),
+        "t.json:2:42: error: /matrix/threads: concerns the CPU alone; add backend \"cpu\", or remove it");
+    EXPECT_EQ(error_of("\"study\": \"stability\", \"matrix\": {\"threads\": 1}}"),
+              "t.json:2:45: error: /matrix/threads: means nothing in a stability study, whose workloads are "
+              "\"stress\"; remove one of the two");
+}
+
+TEST(Config, PeersNeedIntersect1BesideThem) {
+    EXPECT_EQ(
+        error_of("\"tables\": [\"peers\"]}"),
+        "t.json:2:12: error: /tables/0: compares with rtcIntersect1 on the CPU; name \"embree_default\" "
+        "and others in /matrix/strategy");
+    EXPECT_EQ(error_of("\"matrix\": {\"strategy\": [\"ctp\", \"embree_default\"]}, \"tables\": [\"peers\"]}"),
+              "no error");
+}
+
 TEST(Config, EchoReadsBackTheSame) {
     std::vector<Config> configs = {
         config_of(header + R"("matrix": {"strategy": ["ctp", "restart"],
         "spheres": [0, 7], "sphere_radius": [0.1, 0.3], "restart_carries_t": [false]},
         "exclude": [{"spheres": 0, "strategy": ["restart"]}], "include": [{"scene": "x"}, {"spheres": [1, 2]}],
-        "seed": 18446744073709551615, "tables": []})"),
+        "seed": 18446744073709551615, "batch_bounces": [3, 0], "tables": []})"),
         config_of(header + R"("matrix": {"shade": ["none", "ctp"]}, "images": true})")};
     for (const auto& entry : std::filesystem::directory_iterator(shipped(""))) {
         configs.push_back(load_config(entry.path(), {}, test_names()));
@@ -257,7 +303,8 @@ TEST(Config, EchoHasEveryDefault) {
     EXPECT_EQ(echo["height"], 1024);
     EXPECT_EQ(echo["matrix"]["methods"], nlohmann::json::array({"watertight"}));
     EXPECT_EQ(echo["matrix"]["shade"], nlohmann::json::array({"none"}));
-    EXPECT_EQ(echo["matrix"].size(), 18u);
+    EXPECT_EQ(echo["matrix"]["threads"], nlohmann::json::array({0}));
+    EXPECT_EQ(echo["matrix"].size(), 19u);
 }
 
 TEST(Config, EditsApplyBeforeReading) {
@@ -297,6 +344,7 @@ TEST(Config, ShippedConfigsHaveTheirCells) {
     EXPECT_EQ(cells("figure4.json"), 3u * 5);
     EXPECT_EQ(cells("narrowing.json"), 7u * 2 * (6 + 7));  // scenes, all and scene, intersect and shade
     EXPECT_EQ(cells("types.json"), 19u * (6 + 7));
+    EXPECT_EQ(cells("peers.json"), 3u * (2 + 10) * 2);  // scenes, ours and Embree's, threads
     EXPECT_EQ(cells("figure1.json"), 2u);
     EXPECT_EQ(cells("figure3.json"), 2u);
 }

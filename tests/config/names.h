@@ -13,6 +13,9 @@ inline KnownNames test_names() {
     KnownNames known;
     known.strategies = {"ctp", "std_variant", "oop", "oop_arena", "restart", "typed_leaves"};
     known.yardsticks = {{"embree_robust", "cpu"}, {"embree_default", "cpu"}, {"while_while", "cuda"}};
+    for (const char* call : {"embree_16", "embree_16_coherent", "embree_stream", "embree_stream_coherent"})
+        for (const char* mode : {"", "_robust"})
+            known.yardsticks.push_back({std::string(call) + mode, "cpu"});
     known.traversals = {"single", "packet"};
     known.types = type_choices();
     known.methods = {"watertight", "paper", "fast", "float64"};

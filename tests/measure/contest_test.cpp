@@ -64,7 +64,7 @@ protected:
     const SceneView& view_ = stage_.view;
     const Intersector* ctp_ = stage_.intersector.get();
     std::unique_ptr<Intersector> restart_;
-    std::unique_ptr<EmbreeIntersector> oracle_;
+    std::unique_ptr<Intersector> oracle_;
     std::vector<Batch> batches_;
 };
 
@@ -104,6 +104,38 @@ TEST_F(ContestTest, NoticesHitsThatChangeBetweenRuns) {
     EXPECT_FALSE(results.cells[1].valid);
 }
 
+TEST_F(ContestTest, ComparesEveryRayOfABounceWithTheRecordedFrame) {
+    std::vector<HitStorage> found;
+    const auto tracer = traces(*ctp_);
+    std::size_t hit = 0, spoilt = 0;
+    for (Batch& batch : batches_) {
+        tracer->trace(batch, true);
+        found.push_back(tracer->hits());
+        for (std::uint32_t i = 0; i < batch.rays.size(); i += 7)
+            spoilt += found.back().view().primitive[i] != kNoPrimitive;
+        hit += batch.rays.size();
+    }
+    HitComparison comparison(backend_, view_.geometry(), found);
+    Contest contest(backend_, view_.geometry(), batches_, nullptr, 10, &comparison);
+    CellResult sound, broken;
+    Entrant reference{0, traces(*restart_), true, {}, false, {}};
+    contest.verify(reference, sound);
+    const Broken spoils(*ctp_, 7);
+    Entrant other{1, traces(spoils), true, {}, false, {}};
+    contest.verify(other, broken);
+    ASSERT_EQ(sound.bounces.size(), batches_.size());
+    std::size_t rays = 0, wrong = 0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        EXPECT_EQ(sound.bounces[b].bounce, b);
+        EXPECT_EQ(sound.bounces[b].against_reference.mismatch_rate(), 0.0);
+        rays += broken.bounces[b].against_reference.rays;
+        wrong += broken.bounces[b].against_reference.rays - broken.bounces[b].against_reference.match;
+    }
+    EXPECT_EQ(rays, hit) << "all of them, whatever the oracle's share";
+    EXPECT_EQ(wrong, spoilt);
+    EXPECT_GT(spoilt, 50u);
+}
+
 TEST_F(ContestTest, ARoundTimesEveryEntrantOnEveryBatch) {
     Contest contest(backend_, view_.geometry(), batches_, oracle_.get(), 0);
     Results results;
@@ -115,10 +147,20 @@ TEST_F(ContestTest, ARoundTimesEveryEntrantOnEveryBatch) {
     for (std::uint32_t round = 0; round < 3; ++round) {
         const std::vector<Row> rows = contest.round(round, entrants, results, [] { return false; });
         EXPECT_EQ(rows.size(), 2 * batches_.size());
-        for (const Row& row : rows) EXPECT_GT(row.seconds, 0.0);
+        for (const Row& row : rows) {
+            EXPECT_GT(row.seconds, 0.0);
+            EXPECT_EQ(results.cells[row.cell].bounces[row.bounce].mrays[round], row.mrays_per_second());
+        }
     }
     EXPECT_EQ(results.cells[0].find("intersect")->mrays.size(), 3u);
     EXPECT_EQ(results.cells[1].find("intersect")->mrays.size(), 3u);
+    for (const CellResult& cell : results.cells) {
+        ASSERT_EQ(cell.bounces.size(), batches_.size());
+        for (const BounceSeries& series : cell.bounces) {
+            EXPECT_EQ(series.mrays.size(), 3u);
+            EXPECT_EQ(series.against_reference.rays, 0u) << "nobody asked for a comparison";
+        }
+    }
     EXPECT_TRUE(contest.round(3, entrants, results, [] { return true; }).empty())
         << "a round cut short leaves nothing";
     EXPECT_EQ(results.cells[0].find("intersect")->mrays.size(), 3u);

@@ -76,7 +76,7 @@ protected:
     Scene scene_;
     test::Stage stage_;
     std::shared_ptr<Renderer> renderer_;
-    std::unique_ptr<EmbreeIntersector> oracle_;
+    std::unique_ptr<Intersector> oracle_;
 };
 
 TEST_F(FrameContestTest, AcceptsEveryShadeStrategy) {
