@@ -74,9 +74,7 @@ void write_images(const RunContext& run, const ContestInput& input,
 void record_frame(const RunContext& run, ContestInput& input) {
     run.progress.step("tracing the reference frame", kFrame);
     ImageStorage image;
-    Contender recording;
-    recording.backend = "cpu", recording.strategy = run.config.reference;
-    recording.methods = Watertight::name, recording.shade = kRecordingShade;
+    const Contender recording = recording_contender(run.config);
     PipelineMaker(run, input)
         .make(recording, frame_settings(run.config, recording))
         ->frame(true, 0, image, [&](const BounceView& view) {
@@ -149,7 +147,8 @@ void run_intersect_contest(const RunContext& run, ContestInput& input,
                   std::vector<Row> rows = contest.verify(entrants.back(), cell);
                   if (exam) cell.accuracy = exam->take(*entrants.back().tracer);
                   if (c.backend == "cpu")
-                      cell.layout_bytes = input.lineup.get(c.strategy, intersect_key(c), c.types).bytes();
+                      cell.layout_bytes =
+                          input.lineup.get(c.strategy, intersect_key(c), c.types, c.traversal).bytes();
                   return rows;
               });
     }

@@ -1,6 +1,7 @@
 #include "entrants.h"
 
 #include "wavefront/cpu_tracer.h"
+#include "wavefront/interleaved/intersector.h"
 #include "wavefront/methods.h"
 
 namespace ctpbench {
@@ -11,6 +12,14 @@ namespace {
 constexpr std::uint32_t kRouletteFrom = 3;
 
 }  // namespace
+
+Contender recording_contender(const Config& config) {
+    Contender recording;
+    recording.backend = "cpu", recording.strategy = config.reference;
+    recording.traversal = traverses(config.reference, kSingle, recording.backend) ? kSingle : kInterleaved;
+    recording.methods = Watertight::name, recording.shade = kRecordingShade;
+    return recording;
+}
 
 std::string intersect_key(const Contender& c) {
     if (c.is_yardstick()) return own_way;
@@ -39,7 +48,7 @@ std::unique_ptr<BatchTracer> tracer_of(const RunContext& run, const ContestInput
     const std::string methods = intersect_key(c);
     if (c.backend == "cuda") return input.cuda->tracer(c.strategy, methods, c.types);
     return std::make_unique<CpuTracer>(run.pools.get(static_cast<int>(c.threads)),
-                                       input.lineup.get(c.strategy, methods, c.types),
+                                       input.lineup.get(c.strategy, methods, c.types, c.traversal),
                                        input.view.geometry().extent);
 }
 
@@ -49,7 +58,7 @@ std::unique_ptr<FramePipeline> PipelineMaker::make(const Contender& c, const Fra
         return input_.cuda->pipeline(c.strategy, methods, c.types, c.shade, cuda_launch(c.launch),
                                      input_.scene.camera, settings, offset_name(c));
     return std::make_unique<CpuPipeline>(
-        renderer(settings), input_.lineup.get(c.strategy, methods, c.types),
+        renderer(settings), input_.lineup.get(c.strategy, methods, c.types, c.traversal),
         make_shader(c.shade, input_.scenes.materials(c.types, offset_name(c)), offset_name(c)));
 }
 

@@ -34,6 +34,9 @@ struct ContestInput {
 // Who shades frames of which only the rays or the reference matter.
 inline constexpr const char* kRecordingShade = "ctp";
 
+// Who records the rays of a run, with the run's reference strategy and the default methods.
+Contender recording_contender(const Config& config);
+
 // What the intersect stage is called for this contender (wavefront/methods.h); own_way for a yardstick.
 std::string intersect_key(const Contender& contender);
 

@@ -26,6 +26,7 @@
 #include "run_context.h"
 #include "stability_study.h"
 #include "wavefront/forest.h"
+#include "wavefront/interleaved/intersector.h"
 #include "wavefront/methods.h"
 #include "wavefront/shader.h"
 
@@ -58,7 +59,8 @@ public:
           backend_(static_cast<int>(config.threads)),
           progress_(options.quiet),
           rows_(prepared(folder_, config), id_, config.experiment, backend_.threads()),
-          context_{config_, folder_, backend_, pools_, progress_, rows_, results_, options.quiet} {
+          context_{config_, folder_,  backend_,      pools_,     progress_,
+                   rows_,   results_, options.quiet, options.isa} {
         if (config.study == Study::stability) stability_.emplace(folder_);
         write_meta("running");
         if (!options.notice.empty()) context_.note(options.notice);
@@ -99,8 +101,9 @@ private:
         return folder;
     }
     void write_meta(const std::string& state) {
-        write_file(folder_ / "meta.json", meta_json(config_, results_, id_, state, options_.command,
-                                                    backend_.threads(), device_ ? &*device_ : nullptr));
+        write_file(folder_ / "meta.json",
+                   meta_json(config_, results_, id_, state, options_.command, backend_.threads(),
+                             device_ ? &*device_ : nullptr, options_.isa));
     }
     void write_tables() {
         write_file(folder_ / "trees.csv", trees_csv(results_));
@@ -146,7 +149,8 @@ private:
     std::set<TreeKind> kinds_of(const WorkloadCells& cells) const {
         if (!config_.measure) return {TreeKind::mixed, TreeKind::per_type};
         std::set<TreeKind> kinds;
-        const std::vector<StrategyInfo> strategies = intersect_strategies();
+        std::vector<StrategyInfo> strategies = intersect_strategies();
+        for (const StrategyInfo& s : interleaved_strategies()) strategies.push_back(s);
         const auto need = [&](const std::string& name) {
             for (const StrategyInfo& s : strategies)
                 if (s.name == name) kinds.insert(s.tree);
@@ -199,10 +203,10 @@ private:
 
         const SceneView view(scene);
         TypedScenes scenes(backend_, scene, view, forest, kinds_of(cells), settings_of(cells.workload));
-        Lineup lineup(cells.workload, scene, scenes, backend_.threads(), results_,
+        Lineup lineup(cells.workload, scene, scenes, backend_, options_.isa, results_,
                       [&](const std::string& what) { progress_.step(what, kTrees); });
         const Intersector* oracle =
-            embree_version().empty() ? nullptr : &lineup.get(kYardstick, own_way, kTypesOfScene);
+            embree_version().empty() ? nullptr : &lineup.get(kYardstick, own_way, own_way, own_way);
         stop_if_interrupted();
         std::vector<Contender> intersecting, rendering;
         for (const Contender& c : cells.contenders) (c.renders() ? rendering : intersecting).push_back(c);
@@ -241,6 +245,8 @@ private:
 KnownNames known_names() {
     KnownNames names;
     for (const StrategyInfo& s : intersect_strategies()) names.strategies.push_back(s.name);
+    for (const StrategyInfo& s : interleaved_strategies())
+        if (!is_among(names.strategies, s.name)) names.strategies.push_back(s.name);
     for (const EmbreeContender& e : embree_contenders()) names.yardsticks.push_back({e.name, "cpu"});
     names.yardsticks.push_back({kCudaYardstick, "cuda"});
     for (const MethodsInfo& m : method_bundles()) names.methods.push_back(m.name);
@@ -250,17 +256,19 @@ KnownNames known_names() {
     names.box_tests = box_tests(), names.offsets = offsets();
     names.types = type_choices();
     names.available = [](const Contender& c) {
-        return c.backend != "cuda" || types_on_device(c.types, c.renders());
+        return traverses(c.strategy, c.traversal, c.backend) &&
+               (c.backend != "cuda" || types_on_device(c.types, c.renders()));
     };
     names.obstacle = [](const Cell& cell) {
         const Contender& c = *cell.contender;
         if (c.is_yardstick()) return std::string();
+        if (c.traversal == kInterleaved) return interleaved_obstacle(intersect_key(c), c.types);
         const std::string why =
             methods_obstacle(c.strategy, c.methods, c.triangle_test, c.sphere_test, c.box_test, c.offset);
         const bool plain = intersect_key(c) == Watertight::name && offset_name(c) == Watertight::Offset::name;
         return why.empty() ? types_obstacle(c.types, plain, cell.workload.spheres) : why;
     };
-    names.traversals = {"single"};
+    names.traversals = {kSingle, kInterleaved};
     names.studies = {"speed", "stability", "convergence"};
     names.stress = known_stress();
     return names;

@@ -21,6 +21,7 @@ struct RunOptions {
     SceneChoice scenes = SceneChoice::auto_;
     bool quiet = false;
     int device = 0;       // of CUDA
+    std::string isa;      // of kernels over packs, one of usable_isas()
     std::string notice;   // to be kept with the results; may be empty
     std::string command;  // recorded, so that the run can be repeated
 };

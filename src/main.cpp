@@ -11,6 +11,7 @@
 #include "config/command_line.h"
 #include "experiment.h"
 #include "render.h"
+#include "wavefront/interleaved/isa.h"
 
 namespace ctpbench {
 namespace {
@@ -44,6 +45,7 @@ void list(const CommandLine& line) {
     print_names("offsets", names.offsets);
     print_names("builders", names.builders);
     print_names("backends", names.backends);
+    print_names("instruction sets", usable_isas());
     print_names("launches", names.launches);
     print_names("studies", names.studies);
     std::vector<std::string> stress;
@@ -74,6 +76,17 @@ std::vector<std::string> backends_of(const CommandLine& line, std::string& notic
     return backends;
 }
 
+// The one asked for, or the best.
+std::string isa_of(const CommandLine& line) {
+    const std::vector<std::string> usable = usable_isas();
+    if (line.isa.empty()) return usable.front();
+    if (std::find(usable.begin(), usable.end(), line.isa) != usable.end()) return line.isa;
+    std::string all;
+    for (const std::string& name : usable) all += " " + name;
+    throw Error(ExitCode::no_backend,
+                "ctpbench: error: --isa " + line.isa + ": this machine cannot run it; it can run" + all);
+}
+
 ExitCode run(const CommandLine& line, const std::string& command) {
     RunOptions options;
     KnownNames names = known_names();
@@ -86,6 +99,7 @@ ExitCode run(const CommandLine& line, const std::string& command) {
     }
     options.out = line.out;
     options.device = line.device;
+    options.isa = isa_of(line);
     options.scene_dirs = line.scene_dirs;
     options.scenes = line.scenes;
     options.quiet = line.quiet;

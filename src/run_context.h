@@ -30,6 +30,7 @@ struct RunContext {
     RowsFile& rows;
     Results& results;
     bool quiet;
+    std::string isa;  // of kernels over packs
 
     // A line for the user that is kept with the results; each once.
     void note(const std::string& text) const {

@@ -13,10 +13,7 @@ constexpr std::uint32_t kSightings = 20000;
 }  // namespace
 
 Batch exam_batch(const RunContext& run, ContestInput& input, std::uint32_t rays) {
-    Contender recording;
-    recording.backend = "cpu", recording.strategy = run.config.reference;
-    recording.methods = Watertight::name;
-    const auto tracer = tracer_of(run, input, recording);
+    const auto tracer = tracer_of(run, input, recording_contender(run.config));
     std::vector<Sighting> sightings;
     for (Batch& batch : input.batches) {
         stop_if_interrupted();

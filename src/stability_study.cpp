@@ -67,7 +67,7 @@ void run_stability_study(const RunContext& run, const WorkloadCells& cells, Stab
     StressBed bed(run.backend, make_stress(cells.workload.scene, run.config.seed));
     const StressWorkload& stress = bed.workload();
     const std::vector<Contender> contenders = able(run, stress.scene, cells.contenders);
-    Lineup lineup(cells.workload, stress.scene, bed.scenes(), run.backend.threads(), run.results,
+    Lineup lineup(cells.workload, stress.scene, bed.scenes(), run.backend, run.isa, run.results,
                   [](const std::string&) {});
     SceneResult unused;
     ContestInput input{cells.workload, stress.scene, bed.view(), bed.scenes(), lineup, nullptr, unused};

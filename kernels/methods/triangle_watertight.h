@@ -40,11 +40,17 @@ struct WatertightTriangle {
         const float o[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
         const float d[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
         const float ax = absolute(d[0]), ay = absolute(d[1]), az = absolute(d[2]);
-        // By arithmetic: which axis it is cannot be predicted.
+#if defined(__CUDA_ARCH__)
+        const int kz = ax > ay ? (ax > az ? 0 : 2) : (ay > az ? 1 : 2);
+        const int kx = kz == 2 ? 0 : kz + 1;
+        const int ky = kx == 2 ? 0 : kx + 1;
+#else
+        // By arithmetic: a processor could not predict which axis it is. A GPU selects, in fewer registers.
         const int x_over_y = ax > ay, not_z = max(ax, ay) > az;
         const int kz = 2 - not_z - (not_z & x_over_y);
         const int kx = 0b001001 >> 2 * kz & 3;  // the axis after it, and the one after that
         const int ky = 0b010010 >> 2 * kz & 3;
+#endif
         const float r = 1.0f / element(d, kz);
         return {kx,
                 ky,

@@ -134,6 +134,10 @@ private:
         run_only(app_.add_option("--device", line_.device, "CUDA device, by its number"))
             ->type_name("N")
             ->check(whole_number(0, 1023));
+        run_only(app_.add_option("--isa", line_.isa,
+                                 "Instruction set of traversal \"interleaved\"; else the best that there is"))
+            ->type_name("NAME")
+            ->check(CLI::IsMember({"avx512", "avx2", "scalar"}));
         run_only(app_.add_flag("--dry-run", dry_run_, "Show the cells and stop"));
         run_only(app_.add_flag("--list", list_, "Show the names that a config may use and stop"));
     }

@@ -37,6 +37,7 @@ struct CommandLine {
     std::string filter;
     std::vector<std::string> backends;  // "cpu", "cuda" or "auto"; empty: what the config says
     int device = 0;                     // number of the CUDA device
+    std::string isa;                    // of kernels over packs; empty: the best that this machine has
     std::vector<ConfigEdit> edits;      // --set in the order given, then --threads, --rounds and --seed
 
     // render

@@ -55,7 +55,8 @@ std::string Contender::kind() const {
 std::string Contender::method() const {
     if (is_yardstick()) return strategy;
     const std::string parts = exchanged();
-    return kind() == "bundle" ? methods + parts : parts.substr(1);
+    const std::string with = traversal == defaults().traversal.front() ? "" : "/" + traversal;
+    return (kind() == "bundle" ? methods + parts : parts.substr(1)) + with;
 }
 
 std::string Contender::label() const {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "oracle/embree.h"
+#include "wavefront/interleaved/intersector.h"
 
 namespace ctpbench {
 
@@ -18,17 +19,18 @@ TreeResult describe(const Workload& workload, const std::string& kind, const Tre
 }
 
 const Intersector& Lineup::get(const std::string& strategy, const std::string& methods,
-                               const std::string& types) {
-    std::unique_ptr<Intersector>& made = made_[strategy + "/" + methods + "/" + types];
-    if (!made) made = make(strategy, methods, types);
+                               const std::string& types, const std::string& traversal) {
+    std::unique_ptr<Intersector>& made = made_[strategy + "/" + methods + "/" + types + "/" + traversal];
+    if (!made) made = make(strategy, methods, types, traversal);
     return *made;
 }
 
 std::unique_ptr<Intersector> Lineup::make(const std::string& strategy, const std::string& methods,
-                                          const std::string& types) {
+                                          const std::string& types, const std::string& traversal) {
     for (const EmbreeContender& e : embree_contenders())
         if (e.name == strategy) return make_embree(embree_scene(e.mode), e.call, e.coherent);
-    step_("laying out " + strategy);
+    step_("laying out " + strategy + (traversal == kInterleaved ? ", " + traversal : ""));
+    if (traversal == kInterleaved) return make_interleaved(backend_, strategy, scenes_.layout(types), isa_);
     return make_intersector(strategy, methods, scenes_.layout(types));
 }
 
@@ -38,7 +40,7 @@ std::shared_ptr<const EmbreeScene> Lineup::embree_scene(EmbreeMode mode) {
     TreeResult tree;
     tree.workload = workload_, tree.kind = mode == EmbreeMode::robust ? "embree_robust" : "embree_default";
     step_("building Embree's tree (" + tree.kind + ")");
-    scene = std::make_shared<const EmbreeScene>(scene_, mode, threads_);
+    scene = std::make_shared<const EmbreeScene>(scene_, mode, backend_.threads());
     tree.primitives = scene_.mesh.triangles.size() + scene_.spheres.size();
     tree.build_seconds = scene->build_seconds(), tree.bytes = scene->bytes();
     results_.trees.push_back(tree);

@@ -37,7 +37,7 @@ nlohmann::json scene_json(const SceneResult& s) {
 
 std::string meta_json(const Config& config, const Results& results, const std::string& run_id,
                       const std::string& state, const std::string& command, int threads,
-                      const CudaDevice* device) {
+                      const CudaDevice* device, const std::string& isa) {
     const nlohmann::json effective = to_json(config);
     const std::string text = effective.dump();
     nlohmann::json scenes = nlohmann::json::array(), trees = nlohmann::json::array();
@@ -71,6 +71,7 @@ std::string meta_json(const Config& config, const Results& results, const std::s
         {"state", state},
         {"command", command},
         {"threads", threads},
+        {"isa", isa},
         {"config", effective},
         {"config_hash", hex(hash_bytes(text.data(), text.size()))},
         {"machine", describe_machine()},

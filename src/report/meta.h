@@ -11,6 +11,6 @@ namespace ctpbench {
 
 std::string meta_json(const Config& config, const Results& results, const std::string& run_id,
                       const std::string& state, const std::string& command, int threads,
-                      const CudaDevice* device);
+                      const CudaDevice* device, const std::string& isa);
 
 }  // namespace ctpbench

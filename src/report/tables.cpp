@@ -123,16 +123,19 @@ std::string table3_markdown(const Results& results) {
         "starts its second pass without the first one's hit.\n";
     struct Section {
         Workload workload;
-        std::string backend;
+        std::string backend, traversal;
         bool operator==(const Section&) const = default;
     };
-    for (const auto& [column, backend] : distinct<Section>(results, [](const CellResult& c) {
-             return Section{without_spheres(c.workload), c.contender.backend};
+    const std::string usual = default_axes().traversal.front();
+    for (const auto& [column, backend, traversal] : distinct<Section>(results, [](const CellResult& c) {
+             return Section{without_spheres(c.workload), c.contender.backend, c.contender.traversal};
          })) {
-        const auto of_column = [&, &column = column, &backend = backend](std::uint32_t spheres,
-                                                                         std::string label) {
+        if (traversal == own_way) continue;  // a yardstick is in the sections of all others
+        const auto of_column = [&, &column = column, &backend = backend, &traversal = traversal](
+                                   std::uint32_t spheres, std::string label) {
             Workload w = column;
             w.spheres = spheres;
+            if (traversal != usual) label += "/" + traversal;
             if (backend != "cpu") label += "/" + backend;
             return results.find(w, label);
         };
@@ -141,15 +144,15 @@ std::string table3_markdown(const Results& results) {
             if (any == nullptr && !c.contender.renders() && c.contender.backend == backend &&
                 without_spheres(c.workload) == column)
                 any = &c;
-        out += "\n## " + column.scene + ", " + backend + " (" + any->scene_source + ", " +
-               std::to_string(any->triangles) + " triangles" + dropped_text(results, column) + ", builder " +
-               column.builder + ", sphere radius " + csv_number(column.sphere_radius) +
-               " of the mean spacing)\n\n";
+        out += "\n## " + column.scene + ", " + backend + (traversal == usual ? "" : ", " + traversal) + " (" +
+               any->scene_source + ", " + std::to_string(any->triangles) + " triangles" +
+               dropped_text(results, column) + ", builder " + column.builder + ", sphere radius " +
+               csv_number(column.sphere_radius) + " of the mean spacing)\n\n";
         out +=
             "| spheres | ctp: paper | ctp | oop: paper | oop | restart: paper | restart | ctp/oop: paper | "
             "ctp/oop | ctp/restart: paper | ctp/restart | ctp/restart_fresh_t | typed_leaves/restart | "
-            "ctp/yardstick |\n"
-            "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+            "typed_phases/restart | ctp/yardstick |\n"
+            "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
         for (std::uint32_t spheres : sphere_counts(results)) {
             const CellResult* ctp = of_column(spheres, "ctp");
             const CellResult* oop = of_column(spheres, "oop");
@@ -168,6 +171,7 @@ std::string table3_markdown(const Results& results) {
                    " | " + with_interval(ratio_of(ctp, restart)) + " | " +
                    with_interval(ratio_of(ctp, of_column(spheres, "restart_fresh_t"))) + " | " +
                    with_interval(ratio_of(of_column(spheres, "typed_leaves"), restart)) + " | " +
+                   with_interval(ratio_of(of_column(spheres, "typed_phases"), restart)) + " | " +
                    with_interval(ratio_of(ctp, ctp == nullptr ? nullptr : yardstick_of(*ctp, results))) +
                    " |\n";
         }

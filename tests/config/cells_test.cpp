@@ -39,9 +39,9 @@ TEST(Cells, AxesThatMeanNothingCollapse) {
                      "smoke/5/radius0.5/cpu/ctp/single/watertight"}));
     EXPECT_EQ(names_of(cells_of(
                   R"("matrix": {"strategy": ["ctp", "embree_robust"], "methods": ["watertight", "paper"],
-                                              "traversal": ["single", "packet"]})")),
+                                              "traversal": ["single", "interleaved"]})")),
               (Names{"smoke/1000/cpu/ctp/single/watertight", "smoke/1000/cpu/ctp/single/paper",
-                     "smoke/1000/cpu/ctp/packet/watertight", "smoke/1000/cpu/ctp/packet/paper",
+                     "smoke/1000/cpu/ctp/interleaved/watertight", "smoke/1000/cpu/ctp/interleaved/paper",
                      "smoke/1000/cpu/embree_robust/own/own"}));
     EXPECT_EQ(names_of(cells_of(
                   R"("measure": false, "matrix": {"spheres": [0, 5], "builder": ["quality", "paper"]})")),
@@ -116,14 +116,14 @@ TEST(Cells, GroupByWorkloadKeepsTheOrder) {
 TEST(Cells, LabelsAreShortAndUnique) {
     const auto groups =
         group_by_workload(cells_of(R"("matrix": {"strategy": ["ctp", "restart", "embree_robust"],
-        "restart_carries_t": [true, false], "methods": ["watertight", "paper"], "traversal": ["single", "packet"]})"));
+        "restart_carries_t": [true, false], "methods": ["watertight", "paper"], "traversal": ["single", "interleaved"]})"));
     ASSERT_EQ(groups.size(), 1u);
     Names labels;
     for (const Contender& contender : groups[0].contenders) labels.push_back(contender.label());
-    EXPECT_EQ(labels,
-              (Names{"ctp", "ctp/paper", "ctp/packet", "ctp/packet/paper", "restart", "restart/paper",
-                     "restart/packet", "restart/packet/paper", "restart_fresh_t", "restart_fresh_t/paper",
-                     "restart_fresh_t/packet", "restart_fresh_t/packet/paper", "embree_robust"}));
+    EXPECT_EQ(labels, (Names{"ctp", "ctp/paper", "ctp/interleaved", "ctp/interleaved/paper", "restart",
+                             "restart/paper", "restart/interleaved", "restart/interleaved/paper",
+                             "restart_fresh_t", "restart_fresh_t/paper", "restart_fresh_t/interleaved",
+                             "restart_fresh_t/interleaved/paper", "embree_robust"}));
 }
 
 // A number of threads is a contender's own where it traces recorded rays on a CPU.

@@ -51,7 +51,7 @@ TEST(Config, HasADefaultForEverythingButItsNameAndVersion) {
 TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
     const Config config = config_of(header + R"("matrix": {
         "scene": ["a", "b"], "spheres": 0, "sphere_radius": [0.01, 1], "builder": "paper", "backend": ["cpu"],
-        "strategy": ["oop", "ctp"], "restart_carries_t": [false, true], "traversal": "packet", "methods": "paper",
+        "strategy": ["oop", "ctp"], "restart_carries_t": [false, true], "traversal": "interleaved", "methods": "paper",
         "types": "all", "shade": ["sort", "ctp"], "triangle_test": ["bundle", "pluecker"], "sphere_test": "textbook",
         "box_test": "plain", "offset": "exclude_id", "bounce_limit": [0, 2], "roulette": true
     }, "include": [{"threads": [2, 1]}], "batch_bounces": [2, 0], "width": 1, "height": 16384, "bounces": 2, "rounds": 3, "seed": 18446744073709551615, "threads": 4,
@@ -63,7 +63,7 @@ TEST(Config, ReadsScalarsAndListsOfEveryAxis) {
                                    {"cpu"},
                                    {"oop", "ctp"},
                                    {false, true},
-                                   {"packet"},
+                                   {"interleaved"},
                                    {"paper"},
                                    {"all"},
                                    {"sort", "ctp"},
@@ -95,7 +95,8 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         "t.json:3:22: error: /matrix/spheres/2: must be from 0 to 50000000, found 50000001\n"
         "t.json:3:32: error: /matrix/spheres/3: is here twice; remove one of the two\n"
         "t.json:4:23: error: /matrix/strategy/1: unknown strategy \"opp\"; did you mean \"oop\"? choices: "
-        "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
+        "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"typed_phases\", "
+        "\"embree_robust\", "
         "\"embree_default\", \"while_while\", \"embree_16\", \"embree_16_robust\", \"embree_16_coherent\", "
         "\"embree_16_coherent_robust\", \"embree_stream\", \"embree_stream_robust\", "
         "\"embree_stream_coherent\", \"embree_stream_coherent_robust\"\n"
@@ -104,7 +105,8 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         "t.json:5:14: error: /widht: unknown key; did you mean \"width\"?\n"
         "t.json:5:34: error: /seed: expected an integer written without point or exponent, found 1.5\n"
         "t.json:6:14: error: /reference: unknown strategy \"cpt\"; did you mean \"ctp\"? choices: "
-        "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"embree_robust\", "
+        "\"ctp\", \"std_variant\", \"oop\", \"oop_arena\", \"restart\", \"typed_leaves\", \"typed_phases\", "
+        "\"embree_robust\", "
         "\"embree_default\", \"while_while\", \"embree_16\", \"embree_16_robust\", \"embree_16_coherent\", "
         "\"embree_16_coherent_robust\", \"embree_stream\", \"embree_stream_robust\", "
         "\"embree_stream_coherent\", \"embree_stream_coherent_robust\", \"sort\", \"sort_restored\", "
@@ -335,10 +337,10 @@ TEST(Config, ShippedConfigsHaveTheirCells) {
     const auto cells = [](const std::string& name) {
         return expand(load_config(shipped(name), {}, test_names()), test_names()).size();
     };
-    EXPECT_EQ(cells("smoke.json"), 9u + 7);       // 8 strategies, restart twice; shade strategies
-    EXPECT_EQ(cells("table2.json"), 2u * 4 * 2);  // scenes, sphere counts, builders
-    EXPECT_EQ(cells("table3.json"), 2u * 3 * 9);
-    EXPECT_EQ(cells("triangles.json"), 3u * 6);
+    EXPECT_EQ(cells("smoke.json"), 7u + 8 + 2 + 7);  // single, interleaved, Embree's; shade strategies
+    EXPECT_EQ(cells("table2.json"), 2u * 4 * 2);     // scenes, sphere counts, builders
+    EXPECT_EQ(cells("table3.json"), 2u * 3 * (7 + 8 + 2));
+    EXPECT_EQ(cells("triangles.json"), 3u * (4 + 4 + 2));
     EXPECT_EQ(cells("table1.json"), 2u * 7);
     EXPECT_EQ(cells("reorder.json"), 3u);
     EXPECT_EQ(cells("figure4.json"), 3u * 5);

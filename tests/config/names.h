@@ -4,20 +4,23 @@
 #include <string>
 
 #include "base/json_document.h"
+#include "config/cells.h"
 #include "config/config.h"
+#include "wavefront/interleaved/intersector.h"
 #include "wavefront/type_choice.h"
 
 namespace ctpbench {
 
 inline KnownNames test_names() {
     KnownNames known;
-    known.strategies = {"ctp", "std_variant", "oop", "oop_arena", "restart", "typed_leaves"};
+    known.strategies = {"ctp", "std_variant", "oop", "oop_arena", "restart", "typed_leaves", "typed_phases"};
     known.yardsticks = {{"embree_robust", "cpu"}, {"embree_default", "cpu"}, {"while_while", "cuda"}};
     for (const char* call : {"embree_16", "embree_16_coherent", "embree_stream", "embree_stream_coherent"})
         for (const char* mode : {"", "_robust"})
             known.yardsticks.push_back({std::string(call) + mode, "cpu"});
-    known.traversals = {"single", "packet"};
+    known.traversals = {"single", "interleaved"};
     known.types = type_choices();
+    known.available = [](const Contender& c) { return traverses(c.strategy, c.traversal, c.backend); };
     known.methods = {"watertight", "paper", "fast", "float64"};
     known.builders = {"quality", "paper"};
     known.triangle_tests = {"woop", "moeller_trumbore", "pluecker", "baldwin_weber", "moeller_trumbore_f64"};

@@ -1,10 +1,12 @@
 #include "wavefront/interleaved/intersector.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "wavefront/interleaved/arena.h"
 #include "wavefront/interleaved/code.h"
 #include "wavefront/interleaved/leaf_writers.h"
+#include "wavefront/type_choice.h"
 
 namespace ctpbench {
 namespace {
@@ -123,6 +125,25 @@ std::vector<StrategyInfo> interleaved_strategies() {
         all.push_back({Strategy::name, Strategy::tree});
     });
     return all;
+}
+
+bool traverses(const std::string& strategy, const std::string& traversal, const std::string& backend) {
+    const auto among = [&](const std::vector<StrategyInfo>& all) {
+        return std::any_of(all.begin(), all.end(), [&](const StrategyInfo& s) { return s.name == strategy; });
+    };
+    if (traversal == kInterleaved) return backend == "cpu" && among(interleaved_strategies());
+    return traversal != kSingle || among(intersect_strategies());
+}
+
+std::string interleaved_obstacle(const std::string& methods, const std::string& types) {
+    const std::string of_single = std::string("; choose traversal \"") + kSingle + "\", or leave it out";
+    if (methods != Watertight::name)
+        return std::string("traversal \"") + kInterleaved + "\" is built for methods \"" + Watertight::name +
+               "\" alone, not for \"" + methods + "\"" + of_single;
+    if (type_choice(types).synthetic.any())
+        return std::string("traversal \"") + kInterleaved + "\" is not built for types \"" + types + "\"" +
+               of_single;
+    return {};
 }
 
 std::unique_ptr<Intersector> make_interleaved(CpuBackend& backend, std::string_view strategy,

@@ -12,7 +12,17 @@
 
 namespace ctpbench {
 
+// The values of the axis `traversal`.
+inline constexpr const char* kSingle = "single";
 inline constexpr const char* kInterleaved = "interleaved";
+
+// Whether a backend has the strategy with this traversal. `typed_phases` takes many rays, and a device has
+// them single.
+bool traverses(const std::string& strategy, const std::string& traversal, const std::string& backend);
+
+// Why no contender has rays in flight with the methods of this key (wavefront/methods.h) and these types, and
+// what can; empty if one has.
+std::string interleaved_obstacle(const std::string& methods, const std::string& types);
 
 std::vector<StrategyInfo> interleaved_strategies();
 
