@@ -7,6 +7,7 @@
 
 #include "../primitives/list.h"
 #include "../simd/float4.h"
+#include "packet_rays.h"
 
 namespace ctpbench {
 
@@ -67,6 +68,47 @@ struct alignas(32) TriangleBlock {
         if (doubtful != 0) t = refined(r, t, error, doubtful);
         return nearest<Isa>(t, covered, id);
     }
+    // Setup of a packet. Its rays have the same axes.
+    template <class F>
+    struct LaneSetup {
+        int kx, ky, kz;
+        F ox, oy, oz, sx, sy, sz;
+
+        template <class G>
+        CTP_INLINE bool gather(const Setup* rays) {
+            kx = rays[0].kx, ky = rays[0].ky, kz = rays[0].kz;
+            ox = gathered<G>(rays, [](const Setup& r) { return r.ox; });
+            oy = gathered<G>(rays, [](const Setup& r) { return r.oy; });
+            oz = gathered<G>(rays, [](const Setup& r) { return r.oz; });
+            sx = gathered<G>(rays, [](const Setup& r) { return r.sx; });
+            sy = gathered<G>(rays, [](const Setup& r) { return r.sy; });
+            sz = gathered<G>(rays, [](const Setup& r) { return r.sz; });
+            bool same = true;
+            for (std::uint32_t i = 1; i < G::width; ++i) same &= rays[i].kz == kz;
+            return same;
+        }
+    };
+    template <class Isa>
+    CTP_INLINE void intersect_packet(const PacketSetup<Isa, TriangleBlock>& setup,
+                                     PacketHits<Isa>& hits) const {
+        using F = Lanes<Isa>;
+        const F zero(0.0f);
+        for (std::uint32_t i = 0; i < kBlock && (i == 0 || id[i] != id[i - 1]); ++i) {
+            const auto e =
+                Test::template edges<F>([&](int v, int axis) { return F(vertex[v][axis][i]); }, setup.lanes);
+            const auto inside = !((min(min(e.u, e.v), e.w) < zero) & (zero < max(max(e.u, e.v), e.w)));
+            const F det = (e.u + e.v) + e.w;
+            const auto covered = inside & !(det == zero);
+            if (covered.bits() == 0) continue;
+            const F inv = F(1.0f) / det;
+            F t = Test::t_of(e, inv, setup.lanes);
+            const F error = Test::doubt(e, setup.lanes);
+            const std::uint32_t doubtful = (covered & (absolute(t) <= error)).bits();
+            if (doubtful != 0) t = refined<F>(i, setup.rays, t, error, doubtful);
+            hits.offer(covered, t, id[i], e.v * inv, e.w * inv);
+        }
+    }
+
     // All there is to a hit on this lane at t: what intersect() of the primitive would give.
     CTP_INLINE Hit resolve(std::uint32_t lane, float t, const Setup& r) const {
         const auto e = Test::template edges<float>([&](int v, int axis) { return vertex[v][axis][lane]; }, r);
@@ -75,6 +117,17 @@ struct alignas(32) TriangleBlock {
     }
 
 private:
+    template <class F>
+    CTP_INLINE F refined(std::uint32_t lane, const Setup* rays, F t, F error, std::uint32_t doubtful) const {
+        float ts[F::width], errors[F::width];
+        t.store(ts);
+        error.store(errors);
+        for (; doubtful != 0; doubtful &= doubtful - 1) {
+            const int i = std::countr_zero(doubtful);
+            ts[i] = Test::refined_t(shape(lane), rays[i], ts[i] - errors[i], ts[i] + errors[i]);
+        }
+        return F::load(ts);
+    }
     template <class Isa>
     CTP_INLINE Float4<Isa> refined(const Setup& r, Float4<Isa> t, Float4<Isa> error,
                                    std::uint32_t doubtful) const {
@@ -111,6 +164,41 @@ struct alignas(32) SphereBlock {
         // The root of a negative number is NaN, and is not positive.
         return nearest<Isa>(Test::t_of(e, r), F(0.0f) <= e.discriminant, id);
     }
+    template <class F>
+    struct LaneSetup {
+        struct Vector {
+            F x, y, z;
+        };
+        struct {
+            Vector origin, direction;
+        } ray;
+        F length, inv_dd;
+
+        template <class G>
+        CTP_INLINE bool gather(const Setup* rays) {
+            ray.origin.x = gathered<G>(rays, [](const Setup& r) { return r.ray.origin.x; });
+            ray.origin.y = gathered<G>(rays, [](const Setup& r) { return r.ray.origin.y; });
+            ray.origin.z = gathered<G>(rays, [](const Setup& r) { return r.ray.origin.z; });
+            ray.direction.x = gathered<G>(rays, [](const Setup& r) { return r.ray.direction.x; });
+            ray.direction.y = gathered<G>(rays, [](const Setup& r) { return r.ray.direction.y; });
+            ray.direction.z = gathered<G>(rays, [](const Setup& r) { return r.ray.direction.z; });
+            length = gathered<G>(rays, [](const Setup& r) { return r.length; });
+            inv_dd = gathered<G>(rays, [](const Setup& r) { return r.inv_dd; });
+            return true;
+        }
+    };
+    template <class Isa>
+    CTP_INLINE void intersect_packet(const PacketSetup<Isa, SphereBlock>& setup,
+                                     PacketHits<Isa>& hits) const {
+        using F = Lanes<Isa>;
+        for (std::uint32_t i = 0; i < kBlock && (i == 0 || id[i] != id[i - 1]); ++i) {
+            const auto e = Test::template quadratic<F>(F(x[i]), F(y[i]), F(z[i]), F(radius[i]), setup.lanes);
+            const auto met = F(0.0f) <= e.discriminant;
+            if (met.bits() == 0) continue;
+            hits.offer(met, Test::t_of(e, setup.lanes), id[i], F(0.0f), F(0.0f));
+        }
+    }
+
     CTP_INLINE Hit resolve(std::uint32_t lane, float t, const Setup&) const {
         return {t, id[lane], 0.0f, 0.0f};
     }

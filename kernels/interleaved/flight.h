@@ -11,14 +11,9 @@
 #include "../intersect.h"
 #include "../simd/float8.h"
 #include "leaves.h"
+#include "packet.h"
 
 namespace ctpbench {
-
-struct WideView {
-    const std::byte* bytes = nullptr;  // null: there is nothing to hit
-    std::uint32_t root = kDone;        // a word
-    std::uint32_t stack = 0;           // entries that a ray's stack may come to hold
-};
 
 // What a pass over the rays does with the hits of the pass before.
 enum class PassKind : std::uint8_t {
@@ -31,9 +26,8 @@ inline constexpr std::uint32_t kInFlight = 64;
 // Steps through nodes are repeated while more rays than these are at nodes: a loop over a short list costs
 // more for its end than for its rays.
 inline constexpr std::uint32_t kManyAtNodes = kInFlight / 2;
-// The most that a tree of kMaxTreeDepth levels of eight can come to need, the bottom, and room to write
-// beyond.
-inline constexpr std::uint32_t kMaxStack = kMaxTreeDepth * (kWide - 1) + 1 + kWide;
+// Rays at most that one call traces.
+inline constexpr std::uint32_t kMaxChunk = 4 * kSegment;
 
 template <class Isa, class Methods, class Leaves>
 class Flight {
@@ -44,15 +38,11 @@ public:
         : tree_(tree), io_(io), pass_(pass), stride_(stack_stride(tree.stack)) {}
 
     // Traces the active rays at the positions from begin on to end; or, where the index has segments, those
-    // of these segments.
+    // of these segments. First packets of neighbours that are alike, then the others in flight.
     void trace(std::uint32_t begin, std::uint32_t end) {
-        segment_ = begin, last_segment_ = end;
-        if (io_.segment_counts == nullptr)
-            next_ = begin, end_ = end;
-        else
-            enter_segment();
+        for_each_range(begin, end, [&](std::uint32_t b, std::uint32_t e) { trace_packets(b, e); });
         std::uint32_t active = 0;
-        for (std::uint32_t r = 0; r < kInFlight && more_rays(); ++r, ++active) start(r);
+        for (std::uint32_t r = 0; r < kInFlight && next_ < left_; ++r, ++active) start(r);
         while (active > 0) {
             do {
                 step_through_nodes();
@@ -62,16 +52,18 @@ public:
             active -= end_rays();
         }
         if (io_.keys.keys == nullptr && io_.keys.queues.slots == nullptr) return;
-        if (io_.segment_counts == nullptr)
-            record(begin, end);
-        else
-            for (std::uint32_t s = begin; s < end; ++s)
-                record(s * kSegment, s * kSegment + io_.segment_counts[s]);
+        // Rays end in any order; the next stage is told of them in theirs.
+        for_each_range(begin, end, [&](std::uint32_t b, std::uint32_t e) {
+            for (std::uint32_t i = b; i < e; ++i)
+                io_.keys.record(i, io_.index[i], io_.hits.load(io_.index[i]));
+        });
     }
 
 private:
     // Numbered as words say what is there.
     static constexpr std::uint32_t kLists = kFirstLeaf + Leaves::kLists;
+    using Packets = Packet<Isa, Methods, Leaves>;
+    static constexpr std::uint32_t kPacket = Lanes<Isa>::width;
 
     // A hit as a number: of two, the one that wins is less (Hit::accepts). Positive floats compare like the
     // integers that their bits are.
@@ -230,7 +222,7 @@ private:
         for (std::uint32_t i = 0; i < n; ++i) {
             const std::uint32_t r = list.rays[i];
             finish(rays_[r]);
-            if (more_rays())
+            if (next_ < left_)
                 start(r);
             else
                 ++gone;
@@ -243,33 +235,57 @@ private:
                                                           ray.found.word(), ray.found.lane(), ray.closest.t(),
                                                           ray.setups)
                           : Hit{ray.closest.t(), kNoPrimitive, 0.0f, 0.0f};
-        if (pass_ != PassKind::only) {
-            const Hit before = io_.hits.load(ray.slot);
-            if (!hit || (before.primitive != kNoPrimitive && !before.accepts(closest.t, closest.primitive)))
+        if (!hit && pass_ == PassKind::bound) return;  // what was before is still there
+        conclude(ray.slot, closest);
+    }
+    CTP_INLINE void conclude(std::uint32_t slot, Hit closest) const {
+        if (pass_ == PassKind::fresh) {
+            const Hit before = io_.hits.load(slot);
+            if (before.primitive != kNoPrimitive && !before.accepts(closest.t, closest.primitive))
                 closest = before;
         }
-        io_.hits.store(ray.slot, closest);
-    }
-    // Rays end in any order; the next stage is told of them in theirs.
-    void record(std::uint32_t begin, std::uint32_t end) const {
-        for (std::uint32_t i = begin; i < end; ++i)
-            io_.keys.record(i, io_.index[i], io_.hits.load(io_.index[i]));
+        io_.hits.store(slot, closest);
     }
 
-    CTP_INLINE bool more_rays() {
-        while (next_ == end_ && segment_ + 1 < last_segment_ && io_.segment_counts != nullptr) {
-            ++segment_;
-            enter_segment();
+    template <class F>
+    CTP_INLINE void for_each_range(std::uint32_t begin, std::uint32_t end, F&& f) const {
+        if (io_.segment_counts == nullptr) return f(begin, end);
+        for (std::uint32_t s = begin; s < end; ++s) f(s * kSegment, s * kSegment + io_.segment_counts[s]);
+    }
+    // Traces neighbours together where they are alike, and leaves the others.
+    void trace_packets(std::uint32_t begin, std::uint32_t end) {
+        std::uint32_t i = begin;
+        if constexpr (kPacket > 0) {
+            for (; i + kPacket <= end; i += kPacket)
+                if (!trace_packet(i)) leave(i, i + kPacket);
         }
-        return next_ < end_;
+        leave(i, end);
     }
-    void enter_segment() {
-        next_ = segment_ * kSegment;
-        end_ = next_ + (segment_ < last_segment_ ? io_.segment_counts[segment_] : 0);
+    CTP_INLINE void leave(std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = begin; i < end; ++i) positions_[left_++] = i;
     }
+    bool trace_packet(std::uint32_t first) {
+        Ray rays[kPacket];
+        const auto load = [&](std::uint32_t i) { rays[i] = io_.rays.load(io_.index[first + i]); };
+        load(0), load(kPacket - 1);  // neighbours that differ mostly differ here
+        if (!Packets::alike(rays[0], rays[kPacket - 1], io_.extent)) return false;
+        for (std::uint32_t i = 1; i + 1 < kPacket; ++i) {
+            load(i);
+            if (!Packets::alike(rays[0], rays[i], io_.extent)) return false;
+        }
+        Packets packet;
+        if (!packet.set(rays, io_.extent)) return false;
+        Hit hits[kPacket];
+        for (std::uint32_t i = 0; i < kPacket; ++i)
+            hits[i] = pass_ == PassKind::bound ? io_.hits.load(io_.index[first + i]) : no_hit(rays[i]);
+        packet.trace(tree_, hits);
+        for (std::uint32_t i = 0; i < kPacket; ++i) conclude(io_.index[first + i], hits[i]);
+        return true;
+    }
+
     CTP_INLINE void start(std::uint32_t r) {
         Ray1& f = rays_[r];
-        f.slot = io_.index[next_++];
+        f.slot = io_.index[positions_[next_++]];
         const Ray ray = io_.rays.load(f.slot);
         f.box = Methods::Box::setup(ray, io_.extent);
         for_each_type(Blocks{}, [&](auto tag) {
@@ -295,11 +311,11 @@ private:
     const IntersectBuffers io_;
     const PassKind pass_;
     const std::uint32_t stride_;
-    std::uint32_t next_ = 0, end_ = 0;  // positions of the rays to come
-    std::uint32_t segment_ = 0, last_segment_ = 0;
+    std::uint32_t next_ = 0, left_ = 0;  // of positions_: the rays to come
     std::uint32_t counts_[kLists] = {};
     List lists_[kLists];
     Ray1 rays_[kInFlight];
+    std::uint32_t positions_[kMaxChunk];
     alignas(64) std::uint32_t words_[kInFlight * kMaxStack];
     alignas(64) float nears_[kInFlight * kMaxStack];
 };

@@ -9,6 +9,7 @@
 //   test<Isa, list>(...)     the nearest hit of the block that a word names
 //   stride(word)             from that block to the next one of the leaf, in bytes
 //   resolve(...)             all that there is to know of a hit, once the ray has ended
+//   test_packet<Isa>(...)    tests all blocks of a leaf with a packet of rays
 #pragma once
 
 #include "../variant.h"
@@ -71,6 +72,16 @@ struct TypedBlocks {
         return hit;
     }
 
+    template <class Isa>
+    CTP_INLINE static void test_packet(const std::byte* at, std::uint32_t word,
+                                       PacketRays<Isa, Blocks>& rays) {
+        visit(kind_of_word(word) - kFirstLeaf, [&](auto tag) {
+            using Block = typename decltype(tag)::type;
+            for (std::uint32_t i = 0; i <= more_blocks(word); ++i)
+                rays.test(block_at<Block>(at + i * sizeof(Block)));
+        });
+    }
+
 private:
     template <class F>
     CTP_INLINE static void visit(std::uint32_t type, F&& f) {
@@ -110,6 +121,13 @@ struct SumTypeBlocks {
             },
             block_at<Element>(at).sum);
     }
+    template <class Isa>
+    CTP_INLINE static void test_packet(const std::byte* at, std::uint32_t word,
+                                       PacketRays<Isa, Blocks>& rays) {
+        for (std::uint32_t i = 0; i <= more_blocks(word); ++i)
+            Visit{}([&](const auto& block) { rays.test(block); },
+                    block_at<Element>(at + i * sizeof(Element)).sum);
+    }
 };
 
 // A block behind a virtual call.
@@ -119,6 +137,7 @@ public:
     virtual ~BlockBase() = default;
     virtual BlockHit intersect(const Setups<Blocks>& setups) const = 0;
     virtual Hit resolve(std::uint32_t lane, float t, const Setups<Blocks>& setups) const = 0;
+    virtual void test(PacketRays<Isa, Blocks>& rays) const = 0;
 };
 template <class Isa, class Blocks, class Block>
 class BlockObject final : public BlockBase<Isa, Blocks> {
@@ -129,6 +148,9 @@ public:
     }
     Hit resolve(std::uint32_t lane, float t, const Setups<Blocks>& setups) const override {
         return block_.resolve(lane, t, setups.template of<Block>());
+    }
+    void test([[maybe_unused]] PacketRays<Isa, Blocks>& rays) const override {
+        if constexpr (Lanes<Isa>::width > 0) rays.test(block_);
     }
 
 private:
@@ -156,6 +178,12 @@ struct VirtualBlocks {
     CTP_INLINE static Hit resolve(const std::byte* at, std::uint32_t word, std::uint32_t lane, float t,
                                   const Setups<Blocks>& setups) {
         return object<Isa>(at, word).resolve(lane, t, setups);
+    }
+    template <class Isa>
+    CTP_INLINE static void test_packet(const std::byte* at, std::uint32_t word,
+                                       PacketRays<Isa, Blocks>& rays) {
+        for (std::uint32_t i = 0; i <= more_blocks(word); ++i)
+            object<Isa>(at, word - i * kOneBlock).test(rays);
     }
 };
 

@@ -63,8 +63,8 @@ struct PaddedBox {
     };
     // planes.near<axis>() and far<axis>(): of the axis' two planes, the one that the ray crosses first, and
     // the other one.
-    template <class F, class Planes>
-    CTP_INLINE static Crossings<F> crossings(const Planes& planes, const RaySetup& r) {
+    template <class F, class Planes, class Setup>
+    CTP_INLINE static Crossings<F> crossings(const Planes& planes, const Setup& r) {
         const F ix(r.ix), iy(r.iy), iz(r.iz);
         return {
             fma(planes.template near<0>(), ix, F(r.near_x)), fma(planes.template near<1>(), iy, F(r.near_y)),

@@ -33,9 +33,11 @@ struct StableSphere {
         F b, ff_less_rr;  // half the linear coefficient, negated, and the constant one
         F discriminant;   // negative: the ray's line misses
     };
-    template <class F>
-    CTP_INLINE static Quadratic<F> quadratic(F cx, F cy, F cz, F radius, const RaySetup& setup) {
-        const Vec3 o = setup.ray.origin, d = setup.ray.direction;
+    // Setup: RaySetup, or one whose floats are a packet's.
+    template <class F, class Setup>
+    CTP_INLINE static Quadratic<F> quadratic(F cx, F cy, F cz, F radius, const Setup& setup) {
+        const auto& o = setup.ray.origin;
+        const auto& d = setup.ray.direction;
         const F dx(d.x), dy(d.y), dz(d.z);
         const F fx = F(o.x) - cx, fy = F(o.y) - cy, fz = F(o.z) - cz;
         const F b = -(fx * dx + fy * dy + fz * dz);
@@ -46,8 +48,8 @@ struct StableSphere {
     }
     // The smaller positive root, where the discriminant is not negative. A ray that starts inside hits the
     // far side.
-    template <class F>
-    CTP_INLINE static F t_of(const Quadratic<F>& e, const RaySetup& setup) {
+    template <class F, class Setup>
+    CTP_INLINE static F t_of(const Quadratic<F>& e, const Setup& setup) {
         // Not the root of length^2 times the discriminant: that underflows in small scenes.
         const F root = F(setup.length) * square_root(e.discriminant);
         const F q = select(e.b < F(0.0f), e.b - root, e.b + root);

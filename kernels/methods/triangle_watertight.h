@@ -91,9 +91,9 @@ struct WatertightTriangle {
         F az, bz, cz;  // of the vertices, from the ray's origin
         F u, v, w;     // edge functions: the weights of a, b and c, times their sum
     };
-    // vertices(i, axis): a coordinate of vertex i.
-    template <class F, class Vertices>
-    CTP_INLINE static Edges<F> edges(const Vertices& vertices, const RaySetup& r) {
+    // vertices(i, axis): a coordinate of vertex i. Setup: RaySetup, or one whose floats are a packet's.
+    template <class F, class Vertices, class Setup>
+    CTP_INLINE static Edges<F> edges(const Vertices& vertices, const Setup& r) {
         Edges<F> e;
         const F sx(r.sx), sy(r.sy), ox(r.ox), oy(r.oy), oz(r.oz);
         e.az = vertices(0, r.kz) - oz;
@@ -111,13 +111,13 @@ struct WatertightTriangle {
         return e;
     }
     // The ray's t, given the reciprocal of the sum of the edge functions.
-    template <class F>
-    CTP_INLINE static F t_of(const Edges<F>& e, F inv, const RaySetup& r) {
+    template <class F, class Setup>
+    CTP_INLINE static F t_of(const Edges<F>& e, F inv, const Setup& r) {
         return fma(e.u, e.az, fma(e.v, e.bz, e.w * e.cz)) * (F(r.sz) * inv);
     }
     // Up to where the sign of t is in doubt, see refined_t().
-    template <class F>
-    CTP_INLINE static F doubt(const Edges<F>& e, const RaySetup& r) {
+    template <class F, class Setup>
+    CTP_INLINE static F doubt(const Edges<F>& e, const Setup& r) {
         return F(0x1p-21f) * max(max(absolute(e.az), absolute(e.bz)), absolute(e.cz)) * F(absolute(r.sz));
     }
 

@@ -50,6 +50,26 @@ RayStorage adversarial_rays(const Scene& scene, std::uint32_t count, std::uint64
     return storage;
 }
 
+// Bundles of 64 neighbours that differ little, each around one of the adversarial rays; in some all are the
+// same ray.
+RayStorage coherent_rays(const Scene& scene, std::uint32_t bundles, std::uint64_t seed) {
+    RayStorage leaders = adversarial_rays(scene, bundles, seed), storage;
+    storage.resize(bundles * 64);
+    Random random(seed + 1);
+    const float size = length(scene_bounds(scene).extent());
+    for (std::uint32_t b = 0; b < bundles; ++b) {
+        const Ray leader = leaders.view().load(b);
+        const float spread = b % 5 == 0 ? 0.0f : 0.02f * length(leader.direction);
+        for (std::uint32_t i = 0; i < 64; ++i) {
+            Ray ray = leader;
+            ray.direction = ray.direction + spread * random.point(-1, 1);
+            if (b % 3 == 0) ray.origin = ray.origin + (1e-3f * size) * random.point(-1, 1);
+            storage.view().store(b * 64 + i, ray);
+        }
+    }
+    return storage;
+}
+
 struct Traced {
     HitStorage hits;
     std::uint32_t found = 0, spheres = 0;
@@ -124,7 +144,7 @@ void expect_all_strategies_give(const Scene& scene, const SceneView& view, RaySt
                     EXPECT_EQ(traced.hits.hash(), expected)
                         << Methods::name << ", " << named.name << ", builder " << builder.name << ", "
                         << backend->threads() << " threads, carry_t " << carry_t;
-                    EXPECT_GT(traced.found, 300u);
+                    EXPECT_GT(traced.found, 200u);
                     EXPECT_EQ(traced.spheres > 0, with_spheres);
                 }
             EXPECT_GT(named.intersector->bytes(), 0u);
@@ -151,6 +171,14 @@ TEST_P(Strategies, AllGiveWhatALoopOverAllPrimitivesGives) {
     // is.
     expect_all_strategies_give<Watertight>(scene, view, rays, c.spheres > 0);
     expect_all_strategies_give<Float64Methods>(scene, view, rays, c.spheres > 0);
+}
+
+TEST_P(Strategies, GiveTheSameForRaysThatAreAlike) {
+    const Case& c = GetParam();
+    const Scene scene = test::soup(c.triangles, c.spheres, 17, c.scale, c.offset);
+    const SceneView view(scene);
+    RayStorage rays = coherent_rays(scene, 100, 23);
+    expect_all_strategies_give<Watertight>(scene, view, rays, c.spheres > 0);
 }
 INSTANTIATE_TEST_SUITE_P(Soups, Strategies,
                          testing::Values(Case{"mixed", 600, 200, 1.0f, {0, 0, 0}},
@@ -210,16 +238,19 @@ TEST(Ties, CoincidentPrimitivesGoToTheLowestId) {
     const SceneView view(scene);
     CpuBackend backend(1);
     RayStorage rays;
-    rays.resize(2);
-    rays.view().store(0, {{0, 0, -3}, {0, 0, 1}, kInfinity});
-    rays.view().store(1, {{0, 0, 9}, {0, 0, -1}, kInfinity});
+    rays.resize(66);  // two bundles of rays that are alike, and one of each alone
+    for (std::uint32_t i = 0; i < 66; ++i) {
+        const bool front = i < 32 || i == 64;
+        const float x = 0.001f * static_cast<float>(i % 32);
+        rays.view().store(i, {{x, 0, front ? -3.0f : 9.0f}, {0, 0, front ? 1.0f : -1.0f}, kInfinity});
+    }
     for (const BuilderInfo& builder : tree_builders()) {
         const Forest forest = forest_of(backend, scene, builder.settings);
         for (const Named& named :
              all_intersectors<Watertight>(backend, forest.layout_input(view.geometry()))) {
             Traced traced = trace(backend, *named.intersector, rays, view.geometry(), true);
-            EXPECT_EQ(traced.hits.view().primitive[0], 0u) << named.name;
-            EXPECT_EQ(traced.hits.view().primitive[1], 40u) << named.name;
+            for (std::uint32_t i = 0; i < 66; ++i)
+                EXPECT_EQ(traced.hits.view().primitive[i], i < 32 || i == 64 ? 0u : 40u) << named.name << i;
         }
     }
 }

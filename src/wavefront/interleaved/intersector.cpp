@@ -11,9 +11,6 @@
 namespace ctpbench {
 namespace {
 
-// Rays that a thread takes at once, and as many in segments.
-constexpr std::uint32_t kGrain = 4 * kSegment;
-
 struct Code {
     TraceInFlight (*trace)(LeafKind leaves, std::uint32_t types);
     ConstructBlock construct;
@@ -42,7 +39,7 @@ struct Pass {
         const Shared shared{*this, io, kind};
         const bool segmented = io.segment_counts != nullptr;
         backend.for_each_chunk(
-            segmented ? io.segments : io.count, segmented ? kGrain / kSegment : kGrain,
+            segmented ? io.segments : io.count, segmented ? kMaxChunk / kSegment : kMaxChunk,
             [](const void* p, std::uint32_t begin, std::uint32_t end) {
                 const auto& s = *static_cast<const Shared*>(p);
                 s.pass.trace(s.pass.tree, s.io, s.kind, begin, end);
