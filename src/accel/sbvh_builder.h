@@ -58,6 +58,8 @@ public:
     }
 
 private:
+    // Spatial splits of fewer references are never the cheapest.
+    static constexpr std::uint32_t kFewestToCut = 3;
     // Subtrees of at most this many references are built by one task.
     static constexpr std::uint32_t kTask = 4096;
 
@@ -145,12 +147,12 @@ private:
         };
 
         const ObjectSplit object = find_object_split(refs, job.extent, settings_);
-        if (!object.exists() ||
-            half_area_of_overlap(object.left_box, object.right_box) > settings_.alpha * root_area_) {
+        const bool may_cut = job.count >= kFewestToCut && job.capacity > job.count;
+        if (may_cut && (!object.exists() || half_area_of_overlap(object.left_box, object.right_box) >
+                                                settings_.alpha * root_area_)) {
             const SpatialSplit spatial =
-                find_spatial_split(source_, refs, job.extent.box, job.capacity, settings_);
-            if (spatial.exists() && spatial.cost < object.cost &&
-                !(may_be_leaf && leaf_cost <= cost(spatial))) {
+                find_spatial_split(source_, refs, job.extent.box, job.capacity, object.cost, settings_);
+            if (spatial.exists() && !(may_be_leaf && leaf_cost <= cost(spatial))) {
                 children = memory_->divide(job, spatial);
                 partition_by_plane(source_, refs, job.extent.box, spatial, settings_.unsplitting,
                                    children.left, children.right);
