@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <span>
 
+#include "accel/huge_array.h"
 #include "accel/object_split.h"
 #include "accel/partition.h"
 #include "accel/reference.h"
@@ -49,11 +49,10 @@ public:
     // For at most `capacity` references. Pages that are not written to are never committed.
     explicit BuildMemory(std::size_t capacity)
         : capacity_(capacity),
-          nodes_(std::make_unique_for_overwrite<BvhNode[]>(2 * capacity)),
-          first_child_(std::make_unique_for_overwrite<SubtreeSize[]>(capacity)),
-          entries_(std::make_unique_for_overwrite<std::uint32_t[]>(capacity)) {
-        for (auto& b : references_) b = std::make_unique_for_overwrite<Reference[]>(capacity);
-    }
+          references_{HugeArray<Reference>(capacity), HugeArray<Reference>(capacity)},
+          nodes_(2 * capacity),
+          first_child_(capacity),
+          entries_(capacity) {}
 
     Reference* references(int buffer) { return references_[buffer].get(); }
     std::span<const Reference> references(const BuildJob& job) const {
@@ -104,10 +103,10 @@ public:
 
 private:
     std::size_t capacity_;
-    std::unique_ptr<BvhNode[]> nodes_;
-    std::unique_ptr<SubtreeSize[]> first_child_;  // of the pair in each slot
-    std::unique_ptr<std::uint32_t[]> entries_;
-    std::unique_ptr<Reference[]> references_[2];
+    HugeArray<Reference> references_[2];
+    HugeArray<BvhNode> nodes_;
+    HugeArray<SubtreeSize> first_child_;  // of the pair in each slot
+    HugeArray<std::uint32_t> entries_;
 };
 
 }  // namespace ctpbench

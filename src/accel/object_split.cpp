@@ -64,9 +64,8 @@ void try_bins(std::span<const Reference> refs, const Extent& extent, std::uint32
     }
 }
 
-void try_every_position(std::span<const Reference> refs, int axis, ObjectSplit& best) {
-    std::array<std::uint8_t, kMaxBins> order;
-    sort_by_center(refs, axis, order.data());
+void try_every_position(std::span<const Reference> refs, int axis, const std::uint8_t* order,
+                        ObjectSplit& best) {
     const auto n = static_cast<std::uint32_t>(refs.size());
     std::array<Bounds4, kMaxBins> boxes;
     for (std::uint32_t i = 0; i < n; ++i) boxes[i] = refs[order[i]].bounds();
@@ -81,20 +80,25 @@ void try_every_position(std::span<const Reference> refs, int axis, ObjectSplit& 
 
 }  // namespace
 
-void sort_by_center(std::span<const Reference> refs, int axis, std::uint8_t* order) {
-    // Each one's place is the number of those that come before it: no branch to mispredict.
-    std::array<Float8, kMaxBins / 8> keys;
+void sort_by_center(std::span<const Reference> refs, CenterOrder& order) {
+    // Each one's place is the number of those that come before it, here along three axes at once: without
+    // a branch to mispredict.
+    std::array<Float4, kMaxBins> center;
+    std::array<Int4, kMaxBins> place;
     const auto n = static_cast<int>(refs.size());
-    for (int i = 0; i < n; ++i) keys[i / 8][i % 8] = refs[i].center2()[axis];
-    for (int block = 0; 8 * block < n; ++block) {
-        const Int8 self = Int8{0, 1, 2, 3, 4, 5, 6, 7} + 8 * block;
-        Int8 place = {};
-        for (int i = 0; i < n; ++i) {
-            const float key = keys[i / 8][i % 8];
-            place -= (keys[block] > key) | ((keys[block] == key) & (self > i));
+    for (int j = 0; j < n; ++j) {
+        const Float4 c = refs[j].center2();
+        Int4 before = Int4{} + j;
+        for (int i = 0; i < j; ++i) {
+            const Int4 swapped = center[i] > c;  // -1 if so
+            place[i] -= swapped;
+            before += swapped;
         }
-        for (int k = 0; k < 8 && 8 * block + k < n; ++k)
-            order[place[k]] = static_cast<std::uint8_t>(8 * block + k);
+        center[j] = c;
+        place[j] = before;
+    }
+    for (int i = 0; i < n; ++i) {
+        for (int axis = 0; axis < 3; ++axis) order[axis][place[i][axis]] = static_cast<std::uint8_t>(i);
     }
 }
 
@@ -110,8 +114,12 @@ ObjectSplit find_object_split(std::span<const Reference> refs, const Extent& ext
         try_bins(refs, extent, settings.object_bins, tried, best);
         return best;
     }
+    CenterOrder order;
+    sort_by_center(refs, order);
     for (int axis = 0; axis < 3; ++axis) {
-        if (tried[axis]) try_every_position(refs, axis, best);
+        if (!tried[axis]) continue;
+        try_every_position(refs, axis, order[axis].data(), best);
+        if (refs.size() == 2) break;  // the same along all axes
     }
     return best;
 }

@@ -2,6 +2,7 @@
 // or exact over all positions for nodes of few references.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -26,7 +27,8 @@ struct ObjectSplit : SplitSides {
 ObjectSplit find_object_split(std::span<const Reference> refs, const Extent& extent,
                               const SbvhSettings& settings);
 
-// The references in order of their centers, ties in the order they were in.
-void sort_by_center(std::span<const Reference> refs, int axis, std::uint8_t* order);
+// For each axis, references in order of their centers, ties in the order they were in.
+using CenterOrder = std::array<std::array<std::uint8_t, kMaxBins>, 3>;
+void sort_by_center(std::span<const Reference> refs, CenterOrder& order);
 
 }  // namespace ctpbench

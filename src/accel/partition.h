@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <memory>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -25,8 +25,16 @@ struct Side {
     }
 };
 
-// route(part, left, right) puts each reference of `part` to one side or both. `left` and `right` have
-// room for the result. Large nodes are routed in chunks whose results are then strung together.
+// Counts instead.
+struct Count {
+    std::uint32_t count = 0;
+
+    void put(const Reference&) { ++count; }
+};
+
+// route(part, left, right) puts each reference of `part` to one side or both, be they Sides or Counts.
+// `left` and `right` have room for the result. Large nodes are routed in chunks, twice: the first time tells
+// where each chunk's references go.
 template <class Route>
 void partition(std::span<const Reference> refs, const Route& route, Side& left, Side& right) {
     if (refs.size() <= kChunk) {
@@ -34,45 +42,47 @@ void partition(std::span<const Reference> refs, const Route& route, Side& left, 
         return;
     }
     struct Chunk {
-        std::unique_ptr<Reference[]> buffer;
+        Count left_count, right_count;
         Side left, right;
-        std::uint32_t left_at, right_at;
     };
     std::vector<Chunk> chunks(chunk_count(refs.size()));
     for_each_chunk(refs.size(), [&](std::size_t c, std::size_t begin, std::size_t end) {
-        Chunk& chunk = chunks[c];
-        chunk.buffer = std::make_unique_for_overwrite<Reference[]>(2 * (end - begin));
-        chunk.left.out = chunk.buffer.get();
-        chunk.right.out = chunk.buffer.get() + (end - begin);
-        route(refs.subspan(begin, end - begin), chunk.left, chunk.right);
+        Count left_count, right_count;
+        route(refs.subspan(begin, end - begin), left_count, right_count);
+        chunks[c].left_count = left_count;
+        chunks[c].right_count = right_count;
     });
     for (Chunk& chunk : chunks) {
-        chunk.left_at = left.count;
-        chunk.right_at = right.count;
-        left.count += chunk.left.count;
-        right.count += chunk.right.count;
+        chunk.left.out = left.out + left.count;
+        chunk.right.out = right.out + right.count;
+        left.count += chunk.left_count.count;
+        right.count += chunk.right_count.count;
+    }
+    for_each_chunk(refs.size(), [&](std::size_t c, std::size_t begin, std::size_t end) {
+        Side l = chunks[c].left, r = chunks[c].right;
+        route(refs.subspan(begin, end - begin), l, r);
+        chunks[c].left = l;
+        chunks[c].right = r;
+    });
+    for (const Chunk& chunk : chunks) {
         left.extent.extend(chunk.left.extent);
         right.extent.extend(chunk.right.extent);
     }
-    for_each_chunk(refs.size(), [&](std::size_t c, std::size_t, std::size_t) {
-        const Chunk& chunk = chunks[c];
-        std::copy_n(chunk.left.out, chunk.left.count, left.out + chunk.left_at);
-        std::copy_n(chunk.right.out, chunk.right.count, right.out + chunk.right_at);
-    });
 }
 
 inline void partition_by_center(std::span<const Reference> refs, const Extent& extent,
                                 const ObjectSplit& split, Side& left, Side& right) {
     if (split.bins == 0) {
-        std::array<std::uint8_t, kMaxBins> order;
-        sort_by_center(refs, split.axis, order.data());
-        for (std::uint32_t i = 0; i < refs.size(); ++i) (i < split.rank ? left : right).put(refs[order[i]]);
+        CenterOrder order;
+        sort_by_center(refs, order);
+        for (std::uint32_t i = 0; i < refs.size(); ++i)
+            (i < split.rank ? left : right).put(refs[order[split.axis][i]]);
         return;
     }
     const BinGrid grid = split.grid(extent);
     partition(
         refs,
-        [&](std::span<const Reference> part, Side& l, Side& r) {
+        [&](std::span<const Reference> part, auto& l, auto& r) {
             for (const Reference& ref : part) {
                 (grid.bin(ref.center2()[split.axis]) < split.first_right_bin ? l : r).put(ref);
             }
@@ -99,7 +109,7 @@ inline void partition_at_median(std::span<const Reference> refs, const Extent& e
 inline void partition_by_type(std::span<const Reference> refs, Side& left, Side& right) {
     partition(
         refs,
-        [type = refs.front().type()](std::span<const Reference> part, Side& l, Side& r) {
+        [type = refs.front().type()](std::span<const Reference> part, auto& l, auto& r) {
             for (const Reference& ref : part) (ref.type() == type ? l : r).put(ref);
         },
         left, right);
@@ -144,7 +154,7 @@ void partition_by_plane(const Source& source, std::span<const Reference> refs, c
     const float plane = grid.plane(split.first_right_bin);
     partition(
         refs,
-        [&](std::span<const Reference> part, Side& l, Side& r) {
+        [&](std::span<const Reference> part, auto& l, auto& r) {
             Unsplitter unsplitter{split.left_box, split.right_box, split.left, split.right};
             for (const Reference& ref : part) {
                 const int first = grid.bin(ref.lo[axis]);

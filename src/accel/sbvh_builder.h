@@ -69,7 +69,7 @@ private:
         const std::size_t n = source_.size();
         std::vector<Side> chunks(chunk_count(n));
         for_each_chunk(n, [&](std::size_t c, std::size_t begin, std::size_t end) {
-            Side side{memory.references(1) + begin, 0, {}};
+            Side side{memory.references(0) + begin, 0, {}};
             for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
                 const Box box = source_.bounds(i);
                 if (usable(box)) side.put(Reference::make(box, i, source_.ref(i).type));
@@ -77,7 +77,9 @@ private:
             chunks[c] = side;
         });
         for (const Side& chunk : chunks) {
-            std::copy_n(chunk.out, chunk.count, memory.references(0) + root.count);
+            // Moved only if an earlier chunk left some out.
+            Reference* to = memory.references(0) + root.count;
+            if (to != chunk.out) std::copy_n(chunk.out, chunk.count, to);
             root.count += chunk.count;
             root.extent.extend(chunk.extent);
         }
