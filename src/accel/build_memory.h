@@ -3,26 +3,33 @@
 //
 // References live in two buffers of the budgeted size. A node owns a range of one of them, longer than the
 // references in it: the rest is its share of the budget. It writes its children's references into its range
-// of the other buffer, and divides what is left of the range between them. The place where the second
-// child's range begins belongs to no other node, and names the slot of the pair in the node array.
+// of the other buffer, and divides what is left of the range between them.
+//
+// A subtree that one task builds grows in memory of the thread's own, and is then packed behind those that
+// are done: wherever that is, since the final order does not depend on it.
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "accel/huge_array.h"
-#include "accel/object_split.h"
 #include "accel/partition.h"
 #include "accel/reference.h"
+#include "accel/split_sweep.h"
 #include "accel/tree_layout.h"
+#include "kernels/bvh.h"
 
 namespace ctpbench {
 
 // A node to build: `count` references at `begin` of buffer `buffer`, room for `capacity`.
 struct BuildJob {
-    std::uint32_t node, begin, count, capacity, depth;
+    std::uint32_t begin, count, capacity, depth;
     int buffer;
     Extent extent;
 };
@@ -33,34 +40,47 @@ struct Children {
     std::uint32_t right_begin = 0;
 
     BuildJob left_job(const BuildJob& parent) const {
-        return {2 * right_begin,  parent.begin,      left.count, right_begin - parent.begin,
+        return {parent.begin,     left.count,        right_begin - parent.begin,
                 parent.depth + 1, 1 - parent.buffer, left.extent};
     }
     BuildJob right_job(const BuildJob& parent) const {
-        return {2 * right_begin + 1, right_begin,
-                right.count,         parent.capacity - (right_begin - parent.begin),
-                parent.depth + 1,    1 - parent.buffer,
-                right.extent};
+        return {right_begin,      right.count,       parent.capacity - (right_begin - parent.begin),
+                parent.depth + 1, 1 - parent.buffer, right.extent};
     }
+};
+
+// What is below the root of a subtree that one task builds, in the order in which it is added.
+struct Subtree {
+    std::vector<BvhNode> nodes;
+    std::vector<PrimitiveRef> entries;
 };
 
 class BuildMemory {
 public:
     // For at most `capacity` references. Pages that are not written to are never committed.
     explicit BuildMemory(std::size_t capacity)
-        : capacity_(capacity),
-          references_{HugeArray<Reference>(capacity), HugeArray<Reference>(capacity)},
+        : references_{HugeArray<Reference>(capacity), HugeArray<Reference>(capacity)},
           nodes_(2 * capacity),
-          first_child_(capacity),
           entries_(capacity) {}
 
     Reference* references(int buffer) { return references_[buffer].get(); }
     std::span<const Reference> references(const BuildJob& job) const {
         return {references_[job.buffer].get() + job.begin, job.count};
     }
-    BvhNode& node(const BuildJob& job) { return nodes_[job.node]; }
-    void set_first_child(const Children& children, SubtreeSize size) {
-        first_child_[children.right_begin] = size;
+    // Of this thread, empty.
+    Subtree& subtree() {
+        Subtree& own = subtrees_.local();
+        own.nodes.clear();
+        own.entries.clear();
+        return own;
+    }
+    void pack(const Subtree& from, TreePart& part) {
+        BvhNode* nodes = nodes_.get() + nodes_used_.fetch_add(from.nodes.size());
+        PrimitiveRef* entries = entries_.get() + entries_used_.fetch_add(from.entries.size());
+        std::copy(from.nodes.begin(), from.nodes.end(), nodes);
+        std::copy(from.entries.begin(), from.entries.end(), entries);
+        part.nodes = nodes;
+        part.entries = entries;
     }
 
     // Divides the node's range for at most as many references as `sides` says. What is to spare goes where
@@ -81,32 +101,18 @@ public:
         return children;
     }
 
-    // Keeps the primitives of a leaf, and returns where.
-    std::uint32_t store_leaf(const BuildJob& job) {
-        std::uint32_t* out = entries_.get() + job.begin;
-        for (const Reference& r : references(job)) *out++ = r.primitive();
-        return job.begin;
-    }
-
-    // The tree in its final order. Nothing is left here.
-    OrderedTree release(SubtreeSize size) {
+    // Once the tree is built, to make room for the final one.
+    void release_references() {
         for (auto& b : references_) b.reset();
-        OrderedTree ordered = order_depth_first({{nodes_.get(), 2 * capacity_},
-                                                 {first_child_.get(), capacity_},
-                                                 {entries_.get(), capacity_},
-                                                 size});
-        nodes_.reset();
-        first_child_.reset();
-        entries_.reset();
-        return ordered;
     }
 
 private:
-    std::size_t capacity_;
     HugeArray<Reference> references_[2];
+    // A tree of as many leaves as there is room for references has one inner node less, each with a pair.
     HugeArray<BvhNode> nodes_;
-    HugeArray<SubtreeSize> first_child_;  // of the pair in each slot
-    HugeArray<std::uint32_t> entries_;
+    HugeArray<PrimitiveRef> entries_;
+    std::atomic<std::size_t> nodes_used_{0}, entries_used_{0};
+    tbb::enumerable_thread_specific<Subtree> subtrees_;
 };
 
 }  // namespace ctpbench

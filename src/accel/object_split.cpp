@@ -28,14 +28,13 @@ void sweep_bins(const Bins& bins, std::uint32_t count, int axis, std::uint32_t n
         sweep.try_next(left, n - left, best);
     }
     if (!sweep.improved()) return;
-    sweep.keep(best);
     best.axis = axis;
     best.first_right_bin = static_cast<int>(sweep.position());
     best.bins = count;
 }
 
-void try_bins(std::span<const Reference> refs, const Extent& extent, std::uint32_t count, bool (&tried)[3],
-              ObjectSplit& best) {
+void try_bins(std::span<const Reference> refs, const Extent& extent, std::uint32_t count,
+              const bool (&tried)[3], ObjectSplit& best) {
     const BinGrids grids(extent.centers, count);
     const Bins bins = reduce_in_chunks<Bins>(
         refs.size(),
@@ -62,20 +61,29 @@ void try_bins(std::span<const Reference> refs, const Extent& extent, std::uint32
         if (tried[axis] && grids.usable(axis))
             sweep_bins(bins, count, axis, static_cast<std::uint32_t>(refs.size()), best);
     }
+    if (!best.exists()) return;
+    best.set_boxes(bins.box[best.axis], count, static_cast<std::uint32_t>(best.first_right_bin));
 }
 
-void try_every_position(std::span<const Reference> refs, int axis, const std::uint8_t* order,
-                        ObjectSplit& best) {
+void try_every_position(std::span<const Reference> refs, const bool (&tried)[3], ObjectSplit& best) {
     const auto n = static_cast<std::uint32_t>(refs.size());
-    std::array<Bounds4, kMaxBins> boxes;
-    for (std::uint32_t i = 0; i < n; ++i) boxes[i] = refs[order[i]].bounds();
-    SplitSweep sweep(boxes.data(), n);
-    for (std::uint32_t i = 1; i < n; ++i) sweep.try_next(i, n - i, best);
-    if (!sweep.improved()) return;
-    sweep.keep(best);
-    best.axis = axis;
-    best.rank = sweep.position();
+    CenterOrder order;
+    sort_by_center(refs, order);
+    std::array<Bounds4, kMaxBins> boxes[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!tried[axis]) continue;
+        for (std::uint32_t i = 0; i < n; ++i) boxes[axis][i] = refs[order[axis][i]].bounds();
+        SplitSweep sweep(boxes[axis].data(), n);
+        for (std::uint32_t i = 1; i < n; ++i) sweep.try_next(i, n - i, best);
+        if (sweep.improved()) {
+            best.axis = axis;
+            best.rank = sweep.position();
+        }
+        if (n == 2) break;  // the same along all axes
+    }
+    if (!best.exists()) return;
     best.bins = 0;
+    best.set_boxes(boxes[best.axis].data(), n, best.rank);
 }
 
 }  // namespace
@@ -110,16 +118,11 @@ ObjectSplit find_object_split(std::span<const Reference> refs, const Extent& ext
         tried[axis] = (settings.all_axes || axis == extent.centers.longest_axis()) &&
                       extent.centers.hi[axis] > extent.centers.lo[axis];
     }
+    if (!(tried[0] || tried[1] || tried[2])) return best;
     if (refs.size() > settings.sweep_below) {
         try_bins(refs, extent, settings.object_bins, tried, best);
-        return best;
-    }
-    CenterOrder order;
-    sort_by_center(refs, order);
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!tried[axis]) continue;
-        try_every_position(refs, axis, order[axis].data(), best);
-        if (refs.size() == 2) break;  // the same along all axes
+    } else {
+        try_every_position(refs, tried, best);
     }
     return best;
 }

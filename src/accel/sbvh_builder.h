@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "accel/reference.h"
 #include "accel/sbvh.h"
 #include "accel/spatial_split.h"
+#include "accel/tree_layout.h"
 #include "base/error.h"
 
 namespace ctpbench {
@@ -50,7 +52,12 @@ public:
             memory_ = &memory;
             const BuildJob root = gather(memory, static_cast<std::uint32_t>(capacity));
             tree.skipped = primitives - root.count;
-            if (root.count > 0) finish(tree, memory.release(build(root)));
+            if (root.count > 0) {
+                const std::unique_ptr<TreePart> parts = build_part(root);
+                memory.release_references();
+                assemble(*parts, tree);
+                tree.sah = sah_cost(tree);
+            }
         }
         tree.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         progress.finish();
@@ -65,7 +72,7 @@ private:
 
     // All primitives, as the references of the root.
     BuildJob gather(BuildMemory& memory, std::uint32_t capacity) {
-        BuildJob root{0, 0, 0, capacity, 1, 0, {}};
+        BuildJob root{0, 0, capacity, 1, 0, {}};
         const std::size_t n = source_.size();
         std::vector<Side> chunks(chunk_count(n));
         for_each_chunk(n, [&](std::size_t c, std::size_t begin, std::size_t end) {
@@ -96,29 +103,57 @@ private:
         return true;
     }
 
-    SubtreeSize build(const BuildJob& job) {
-        BvhNode& node = memory_->node(job);
+    static SubtreeSize joined(const SubtreeSize& a, const SubtreeSize& b) {
+        return {1 + a.inner + b.inner, a.entries + b.entries, 1 + std::max(a.depth, b.depth)};
+    }
+
+    std::unique_ptr<TreePart> build_part(const BuildJob& job) {
+        auto part = std::make_unique<TreePart>();
+        Children children;
+        if (job.count <= kTask || !split(job, children)) {
+            Subtree& below = memory_->subtree();
+            part->size = build(job, part->root, below);
+            memory_->pack(below, *part);
+            return part;
+        }
+        part->root.set_box(job.extent.box.box());
+        part->root.leaf = 0;
+        tbb::parallel_invoke([&] { part->left = build_part(children.left_job(job)); },
+                             [&] { part->right = build_part(children.right_job(job)); });
+        part->size = joined(part->left->size, part->right->size);
+        return part;
+    }
+
+    SubtreeSize build(const BuildJob& job, BvhNode& node, Subtree& below) {
         node.set_box(job.extent.box.box());
         Children children;
         if (!split(job, children)) {
-            const std::uint32_t type = settings_.single_type_leaves ? memory_->references(job)[0].type() : 0;
-            node.first = memory_->store_leaf(job);
-            node.leaf = BvhNode::leaf_word(type, job.count);
+            const std::span<const Reference> refs = memory_->references(job);
+            node.first = static_cast<std::uint32_t>(below.entries.size());
+            node.leaf = BvhNode::leaf_word(settings_.single_type_leaves ? refs[0].type() : 0, job.count);
+            for (const Reference& r : refs) below.entries.push_back(source_.ref(r.primitive()));
             progress_->add(job.capacity);
-            return {0, job.count};
+            return {0, job.count, 1};
         }
-        const BuildJob left = children.left_job(job), right = children.right_job(job);
-        node.first = left.node;
+        const auto pair = static_cast<std::uint32_t>(below.nodes.size());
+        node.first = pair;
         node.leaf = 0;
+        const BuildJob left_job = children.left_job(job), right_job = children.right_job(job);
+        BvhNode left, right;
+        left.set_box(left_job.extent.box.box());
+        right.set_box(right_job.extent.box.box());
+        below.nodes.resize(pair + 2);
         SubtreeSize l, r;
-        if (job.count > kTask) {
-            tbb::parallel_invoke([&] { l = build(left); }, [&] { r = build(right); });
+        if (left_first(left, right)) {
+            l = build(left_job, left, below);
+            r = build(right_job, right, below);
         } else {
-            l = build(left);
-            r = build(right);
+            r = build(right_job, right, below);
+            l = build(left_job, left, below);
         }
-        memory_->set_first_child(children, l);
-        return {1 + l.inner + r.inner, l.entries + r.entries};
+        below.nodes[pair] = left;
+        below.nodes[pair + 1] = right;
+        return joined(l, r);
     }
 
     static bool one_type(std::span<const Reference> refs) {
@@ -183,16 +218,6 @@ private:
         for (const Reference& r : refs) first += r.type() == refs.front().type();
         children = memory_->divide(job, {.left = first, .right = job.count - first});
         partition_by_type(refs, children.left, children.right);
-    }
-
-    void finish(Tree& tree, OrderedTree ordered) {
-        tree.nodes = std::move(ordered.nodes);
-        tree.depth = ordered.depth;
-        tree.refs.resize(ordered.entries.size());
-        for_each_chunk(tree.refs.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) tree.refs[i] = source_.ref(ordered.entries[i]);
-        });
-        tree.sah = sah_cost(tree);
     }
 
     const Source& source_;

@@ -58,7 +58,7 @@ void try_candidates(const Source& source, std::span<const Reference> refs, const
     for (std::uint32_t i = 0; i < candidates.count; ++i)
         sweep.try_next(candidates.plane[i].left, candidates.plane[i].right, best);
     if (!sweep.improved()) return;
-    sweep.keep(best);
+    best.set_boxes(boxes.data(), slices.count(), sweep.position());
     best.axis = axis;
     best.first_right_bin = candidates.plane[sweep.position() - 1].bin;
     best.bins = static_cast<std::uint32_t>(grid.last) + 1;

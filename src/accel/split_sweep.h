@@ -19,12 +19,18 @@ struct SplitSides {
     Bounds4 left_box = Bounds4::empty(), right_box = Bounds4::empty();
 
     bool exists() const { return left > 0 && right > 0; }
+    // The sides of a cut before box `position` of a row.
+    void set_boxes(const Bounds4* boxes, std::uint32_t count, std::uint32_t position) {
+        left_box = right_box = Bounds4::empty();
+        for (std::uint32_t b = 0; b < position; ++b) left_box.extend(boxes[b]);
+        for (std::uint32_t b = position; b < count; ++b) right_box.extend(boxes[b]);
+    }
 };
 
 // Goes from the left to the right over at most kMaxBins boxes.
 class SplitSweep {
 public:
-    SplitSweep(const Bounds4* boxes, std::uint32_t count) : boxes_(boxes), count_(count) {
+    SplitSweep(const Bounds4* boxes, std::uint32_t count) : boxes_(boxes) {
         Bounds4 box = Bounds4::empty();
         for (std::uint32_t b = count; b-- > 1;) {
             box.extend(boxes[b]);
@@ -47,18 +53,13 @@ public:
     // Leaves the next cut out.
     void pass() { left_.extend(boxes_[at_++]); }
 
-    // Whether one of these cuts is the best. Then it is before box position(), and keep() completes it.
+    // Whether one of these cuts is the best. Then it is before box position().
     bool improved() const { return position_ > 0; }
     std::uint32_t position() const { return position_; }
-    void keep(SplitSides& best) const {
-        best.left_box = best.right_box = Bounds4::empty();
-        for (std::uint32_t b = 0; b < count_; ++b)
-            (b < position_ ? best.left_box : best.right_box).extend(boxes_[b]);
-    }
 
 private:
     const Bounds4* boxes_;
-    std::uint32_t count_, at_ = 0, position_ = 0;
+    std::uint32_t at_ = 0, position_ = 0;
     Bounds4 left_ = Bounds4::empty();
     std::array<float, kMaxBins> right_area_;
 };
