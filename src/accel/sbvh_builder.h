@@ -114,6 +114,7 @@ private:
             Subtree& below = memory_->subtree();
             part->size = build(job, part->root, below);
             memory_->pack(below, *part);
+            progress_->add(job.capacity);
             return part;
         }
         part->root.set_box(job.extent.box.box());
@@ -132,7 +133,6 @@ private:
             node.first = static_cast<std::uint32_t>(below.entries.size());
             node.leaf = BvhNode::leaf_word(settings_.single_type_leaves ? refs[0].type() : 0, job.count);
             for (const Reference& r : refs) below.entries.push_back(source_.ref(r.primitive()));
-            progress_->add(job.capacity);
             return {0, job.count, 1};
         }
         const auto pair = static_cast<std::uint32_t>(below.nodes.size());

@@ -39,7 +39,7 @@ void copy(const TreePart& part, std::uint32_t to, const Place& below, Tree& tree
 }  // namespace
 
 void assemble(const TreePart& root, Tree& tree) {
-    tree.nodes = NodeArray(root.size.inner == 0 ? 1 : 2 + 2 * std::size_t{root.size.inner});
+    tree.nodes.resize(root.size.inner == 0 ? 1 : 2 + 2 * std::size_t{root.size.inner});
     tree.refs.resize(root.size.entries);
     if (tree.nodes.size() > 1) tree.nodes[1] = BvhNode{};
     tree.depth = root.size.depth;
