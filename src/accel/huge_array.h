@@ -20,14 +20,20 @@ public:
         : size_(size), data_(size > 0 ? TraversalAllocator<T>().allocate(size) : nullptr) {}
     HugeArray(HugeArray&& other) noexcept
         : size_(std::exchange(other.size_, 0)), data_(std::exchange(other.data_, nullptr)) {}
-    HugeArray& operator=(HugeArray&&) = delete;
+    HugeArray& operator=(HugeArray&& other) noexcept {
+        std::swap(size_, other.size_);
+        std::swap(data_, other.data_);
+        return *this;
+    }
     ~HugeArray() { reset(); }
 
+    std::size_t size() const { return size_; }
     T* get() const { return data_; }
     T& operator[](std::size_t i) const { return data_[i]; }
     void reset() {
         if (data_ != nullptr) TraversalAllocator<T>().deallocate(data_, size_);
         data_ = nullptr;
+        size_ = 0;
     }
 
 private:

@@ -1,4 +1,4 @@
-// Distributes a node's references to its two children, out of place and in a fixed order.
+// The ways to distribute a node's references to its two children.
 #pragma once
 
 #include <algorithm>
@@ -7,71 +7,14 @@
 #include <vector>
 
 #include "accel/object_split.h"
-#include "accel/parallel.h"
 #include "accel/reference.h"
+#include "accel/sides.h"
 #include "accel/spatial_split.h"
 
 namespace ctpbench {
 
-// Receives the references of one side.
-struct Side {
-    Reference* out = nullptr;
-    std::uint32_t count = 0;
-    Extent extent;
-
-    void put(const Reference& r) {
-        out[count++] = r;
-        extent.extend(r);
-    }
-};
-
-// Counts instead.
-struct Count {
-    std::uint32_t count = 0;
-
-    void put(const Reference&) { ++count; }
-};
-
-// route(part, left, right) puts each reference of `part` to one side or both, be they Sides or Counts.
-// `left` and `right` have room for the result. Large nodes are routed in chunks, twice: the first time tells
-// where each chunk's references go.
-template <class Route>
-void partition(std::span<const Reference> refs, const Route& route, Side& left, Side& right) {
-    if (refs.size() <= kChunk) {
-        route(refs, left, right);
-        return;
-    }
-    struct Chunk {
-        Count left_count, right_count;
-        Side left, right;
-    };
-    std::vector<Chunk> chunks(chunk_count(refs.size()));
-    for_each_chunk(refs.size(), [&](std::size_t c, std::size_t begin, std::size_t end) {
-        Count left_count, right_count;
-        route(refs.subspan(begin, end - begin), left_count, right_count);
-        chunks[c].left_count = left_count;
-        chunks[c].right_count = right_count;
-    });
-    for (Chunk& chunk : chunks) {
-        chunk.left.out = left.out + left.count;
-        chunk.right.out = right.out + right.count;
-        left.count += chunk.left_count.count;
-        right.count += chunk.right_count.count;
-    }
-    for_each_chunk(refs.size(), [&](std::size_t c, std::size_t begin, std::size_t end) {
-        Side l = chunks[c].left, r = chunks[c].right;
-        route(refs.subspan(begin, end - begin), l, r);
-        chunks[c].left = l;
-        chunks[c].right = r;
-    });
-    for (const Chunk& chunk : chunks) {
-        left.extent.extend(chunk.left.extent);
-        right.extent.extend(chunk.right.extent);
-    }
-}
-
 inline void partition_by_center(std::span<const Reference> refs, const Extent& extent,
-                                const ObjectSplit& split, Side& left, Side& right) {
+                                const ObjectSplit& split, ReferencePool* pool, Side& left, Side& right) {
     if (split.bins == 0) {
         CenterOrder order;
         sort_by_center(refs, order);
@@ -87,14 +30,18 @@ inline void partition_by_center(std::span<const Reference> refs, const Extent& e
                 (grid.bin(ref.center2()[split.axis]) < split.first_right_bin ? l : r).put(ref);
             }
         },
-        left, right);
+        pool, left, right);
 }
 
 // Half of the references to each side, by center along the longest axis, whatever the cost. The same
 // primitive's parts may have equal centers, so ties fall as nth_element leaves them, which is the same in
 // every run.
-inline void partition_at_median(std::span<const Reference> refs, const Extent& extent, Side& left,
-                                Side& right) {
+inline void partition_at_median(std::span<const Reference> refs, const Extent& extent, ReferencePool* pool,
+                                Side& left, Side& right) {
+    if (pool != nullptr) {
+        left.out = pool->take(refs.size());
+        right.out = left.out + refs.size() / 2;
+    }
     const int axis = extent.centers.longest_axis();
     std::vector<Reference> sorted(refs.begin(), refs.end());
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -106,13 +53,13 @@ inline void partition_at_median(std::span<const Reference> refs, const Extent& e
 }
 
 // References of the first one's type to the left.
-inline void partition_by_type(std::span<const Reference> refs, Side& left, Side& right) {
+inline void partition_by_type(std::span<const Reference> refs, ReferencePool* pool, Side& left, Side& right) {
     partition(
         refs,
         [type = refs.front().type()](std::span<const Reference> part, auto& l, auto& r) {
             for (const Reference& ref : part) (ref.type() == type ? l : r).put(ref);
         },
-        left, right);
+        pool, left, right);
 }
 
 // Decides for a reference across the plane: both sides, or one of them whole (Stich et al. 2009, section
@@ -148,7 +95,8 @@ private:
 // Cuts the references at the plane. A side may come out empty; then the split was none.
 template <PrimitiveSource Source>
 void partition_by_plane(const Source& source, std::span<const Reference> refs, const Bounds4& node,
-                        const SpatialSplit& split, bool unsplitting, Side& left, Side& right) {
+                        const SpatialSplit& split, bool unsplitting, ReferencePool* pool, Side& left,
+                        Side& right) {
     const BinGrid grid = split.grid(node);
     const int axis = split.axis;
     const float plane = grid.plane(split.first_right_bin);
@@ -186,7 +134,7 @@ void partition_by_plane(const Source& source, std::span<const Reference> refs, c
                 }
             }
         },
-        left, right);
+        pool, left, right);
 }
 
 }  // namespace ctpbench

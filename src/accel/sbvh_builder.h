@@ -1,11 +1,11 @@
-// The builder that sbvh.h declares: from the root down, each node takes the best of an object split, a
-// spatial split and staying a leaf; then its children are built, in parallel where they are large.
+// The builder that sbvh.h declares: large nodes are split level by level, each in parallel; what is below
+// small ones is built by one task each, depth first.
 #pragma once
 
-#include <tbb/parallel_invoke.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <memory>
 #include <span>
@@ -14,12 +14,11 @@
 
 #include "accel/build_memory.h"
 #include "accel/build_progress.h"
-#include "accel/object_split.h"
+#include "accel/node_splitter.h"
 #include "accel/parallel.h"
-#include "accel/partition.h"
 #include "accel/reference.h"
 #include "accel/sbvh.h"
-#include "accel/spatial_split.h"
+#include "accel/sides.h"
 #include "accel/tree_layout.h"
 #include "base/error.h"
 
@@ -53,7 +52,9 @@ public:
             const BuildJob root = gather(memory, static_cast<std::uint32_t>(capacity));
             tree.skipped = primitives - root.count;
             if (root.count > 0) {
-                const std::unique_ptr<TreePart> parts = build_part(root);
+                const NodeSplitter<Source> splitter(source_, settings_, root.extent.box.half_area());
+                splitter_ = &splitter;
+                const std::unique_ptr<TreePart> parts = build_parts(root);
                 memory.release_references();
                 assemble(*parts, tree);
                 tree.sah = sah_cost(tree);
@@ -65,14 +66,12 @@ public:
     }
 
 private:
-    // Spatial splits of fewer references are never the cheapest.
-    static constexpr std::uint32_t kFewestToCut = 3;
     // Subtrees of at most this many references are built by one task.
     static constexpr std::uint32_t kTask = 4096;
 
     // All primitives, as the references of the root.
     BuildJob gather(BuildMemory& memory, std::uint32_t capacity) {
-        BuildJob root{0, 0, capacity, 1, 0, {}};
+        BuildJob root{memory.references(0), 0, capacity, 1, 0, 0, {}};
         const std::size_t n = source_.size();
         std::vector<Side> chunks(chunk_count(n));
         for_each_chunk(n, [&](std::size_t c, std::size_t begin, std::size_t end) {
@@ -90,7 +89,6 @@ private:
             root.count += chunk.count;
             root.extent.extend(chunk.extent);
         }
-        root_area_ = root.extent.box.half_area();
         return root;
     }
 
@@ -107,29 +105,65 @@ private:
         return {1 + a.inner + b.inner, a.entries + b.entries, 1 + std::max(a.depth, b.depth)};
     }
 
-    std::unique_ptr<TreePart> build_part(const BuildJob& job) {
-        auto part = std::make_unique<TreePart>();
-        Children children;
-        if (job.count <= kTask || !split(job, children)) {
-            Subtree& below = memory_->subtree();
-            part->size = build(job, part->root, below);
-            memory_->pack(below, *part);
-            progress_->add(job.capacity);
-            return part;
+    // The top of the tree, down to the subtrees that are built by one task.
+    std::unique_ptr<TreePart> build_parts(const BuildJob& root) {
+        struct Open {
+            BuildJob job;
+            TreePart* part;
+            Children children;
+        };
+        auto all = std::make_unique<TreePart>();
+        std::vector<Open> level{{root, all.get(), {}}};
+        for (int from = 0; !level.empty(); from = 1 - from) {
+            LevelMemory memory(memory_->references(1 - from));
+            tbb::parallel_for(
+                tbb::blocked_range<std::size_t>(0, level.size(), 1),
+                [&](const auto& range) {
+                    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        Open& open = level[i];
+                        if (open.job.count <= kTask || !splitter_->split(open.job, memory, open.children)) {
+                            build_task(open.job, *open.part);
+                            continue;
+                        }
+                        open.part->root.set_box(open.job.extent.box.box());
+                        open.part->root.leaf = 0;
+                        open.part->left = std::make_unique<TreePart>();
+                        open.part->right = std::make_unique<TreePart>();
+                    }
+                },
+                tbb::simple_partitioner());
+            std::vector<Open> next;
+            for (const Open& open : level) {
+                if (open.part->left == nullptr) continue;
+                next.push_back({open.children.left_job(open.job), open.part->left.get(), {}});
+                next.push_back({open.children.right_job(open.job), open.part->right.get(), {}});
+            }
+            level = std::move(next);
         }
-        part->root.set_box(job.extent.box.box());
-        part->root.leaf = 0;
-        tbb::parallel_invoke([&] { part->left = build_part(children.left_job(job)); },
-                             [&] { part->right = build_part(children.right_job(job)); });
-        part->size = joined(part->left->size, part->right->size);
-        return part;
+        measure(*all);
+        return all;
     }
 
-    SubtreeSize build(const BuildJob& job, BvhNode& node, Subtree& below) {
+    // Sets the sizes of the parts that have parts.
+    static void measure(TreePart& part) {
+        if (part.left == nullptr) return;
+        measure(*part.left);
+        measure(*part.right);
+        part.size = joined(part.left->size, part.right->size);
+    }
+
+    void build_task(const BuildJob& job, TreePart& part) {
+        TaskMemory& memory = memory_->task();
+        part.size = build(memory.begin(job), part.root, memory);
+        memory_->pack(memory, part);
+        progress_->add(job.capacity);
+    }
+
+    SubtreeSize build(const BuildJob& job, BvhNode& node, TaskMemory& below) {
         node.set_box(job.extent.box.box());
         Children children;
-        if (!split(job, children)) {
-            const std::span<const Reference> refs = memory_->references(job);
+        if (!splitter_->split(job, below, children)) {
+            const std::span<const Reference> refs = job.references();
             node.first = static_cast<std::uint32_t>(below.entries.size());
             node.leaf = BvhNode::leaf_word(settings_.single_type_leaves ? refs[0].type() : 0, job.count);
             for (const Reference& r : refs) below.entries.push_back(source_.ref(r.primitive()));
@@ -156,76 +190,12 @@ private:
         return joined(l, r);
     }
 
-    static bool one_type(std::span<const Reference> refs) {
-        for (const Reference& r : refs) {
-            if (r.type() != refs.front().type()) return false;
-        }
-        return true;
-    }
-
-    // False if the node is to be a leaf.
-    bool split(const BuildJob& job, Children& children) {
-        const std::span<const Reference> refs = memory_->references(job);
-        if (job.count == 1) return false;
-        const bool mixed = settings_.single_type_leaves && !one_type(refs);
-        const bool may_be_leaf = job.count <= settings_.max_leaf && !mixed;
-        // Halving down to single references takes this many levels more.
-        const auto levels = static_cast<std::uint32_t>(std::bit_width(job.count - 1));
-        if (may_be_leaf && settings_.fill_leaves) return false;
-        if (job.depth + levels >= kMaxTreeDepth) {
-            if (may_be_leaf) return false;
-            split_at_median(job, refs, children);
-            return true;
-        }
-        const double area = job.extent.box.half_area();
-        const double leaf_cost = settings_.primitive_cost * area * job.count;
-        const auto cost = [&](const SplitSides& s) {
-            return settings_.node_cost * area + settings_.primitive_cost * s.cost;
-        };
-
-        const ObjectSplit object = find_object_split(refs, job.extent, settings_);
-        const bool may_cut = job.count >= kFewestToCut && job.capacity > job.count;
-        if (may_cut && (!object.exists() || half_area_of_overlap(object.left_box, object.right_box) >
-                                                settings_.alpha * root_area_)) {
-            const SpatialSplit spatial =
-                find_spatial_split(source_, refs, job.extent.box, job.capacity, object.cost, settings_);
-            if (spatial.exists() && !(may_be_leaf && leaf_cost <= cost(spatial))) {
-                children = memory_->divide(job, spatial);
-                partition_by_plane(source_, refs, job.extent.box, spatial, settings_.unsplitting,
-                                   children.left, children.right);
-                if (children.left.count > 0 && children.right.count > 0) return true;
-            }
-        }
-        if (may_be_leaf && (!object.exists() || leaf_cost <= cost(object))) return false;
-        if (object.exists()) {
-            children = memory_->divide(job, object);
-            partition_by_center(refs, job.extent, object, children.left, children.right);
-        } else if (mixed) {
-            split_by_type(job, refs, children);
-        } else {
-            split_at_median(job, refs, children);
-        }
-        return true;
-    }
-
-    void split_at_median(const BuildJob& job, std::span<const Reference> refs, Children& children) {
-        children = memory_->divide(job, {.left = job.count / 2, .right = job.count - job.count / 2});
-        partition_at_median(refs, job.extent, children.left, children.right);
-    }
-
-    void split_by_type(const BuildJob& job, std::span<const Reference> refs, Children& children) {
-        std::uint32_t first = 0;
-        for (const Reference& r : refs) first += r.type() == refs.front().type();
-        children = memory_->divide(job, {.left = first, .right = job.count - first});
-        partition_by_type(refs, children.left, children.right);
-    }
-
     const Source& source_;
     const SbvhSettings settings_;
     const BuildProgress& callback_;
     ProgressReporter* progress_ = nullptr;
     BuildMemory* memory_ = nullptr;
-    float root_area_ = 0;
+    const NodeSplitter<Source>* splitter_ = nullptr;
 };
 
 template <PrimitiveSource Source>
