@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 #include "../box.h"
 #include "outward.h"
@@ -48,16 +47,42 @@ inline Box clip(const SphereShape& s, const Box& box) {
     return cut.rounded_outward(slack, intersection(box, bounds(s)));
 }
 
-// Bounds of the ball's parts between each two successive planes across the axis. In float, to weigh splits
-// by: not for containment.
-inline void chop(const SphereShape& s, int axis, std::span<const float> planes, Box* pieces) {
-    for (std::size_t i = 0; i + 1 < planes.size(); ++i) {
-        const float nearest = max(planes[i], min(planes[i + 1], s.center[axis])) - s.center[axis];
-        const float reach = std::sqrt(max(0.0f, s.radius * s.radius - nearest * nearest));
-        pieces[i] = {s.center - Vec3{reach, reach, reach}, s.center + Vec3{reach, reach, reach}};
-        pieces[i].lo[axis] = planes[i];
-        pieces[i].hi[axis] = planes[i + 1];
+// Bounds of the ball's parts between two planes across an axis, as TriangleSlicer has them of a triangle's.
+template <int axis>
+class SphereSlicer {
+public:
+    explicit SphereSlicer(const SphereShape& s)
+        : along_(s.center[axis]),
+          across_{s.center[(axis + 1) % 3], s.center[(axis + 2) % 3]},
+          radius2_(s.radius * s.radius) {}
+
+    template <class T>
+    CTP_INLINE void operator()(const T& from, const T& to, T (&lo)[2], T (&hi)[2]) const {
+        const T a = from - along_,
+                b = along_ - to;  // how far the center is from either plane, on its outside
+        const T gap = a > b ? a : b, outside = gap > 0.0f ? gap : T{};
+        T reach = radius2_ - outside * outside;
+        reach = reach > 0.0f ? reach : T{};
+        take_roots(reach);
+        for (int k = 0; k < 2; ++k) {
+            lo[k] = across_[k] - reach;
+            hi[k] = across_[k] + reach;
+        }
     }
+
+private:
+    CTP_INLINE static void take_roots(float& x) { x = std::sqrt(x); }
+    template <class T>
+    CTP_INLINE static void take_roots(T& x) {
+        for (std::size_t i = 0; i < sizeof(T) / sizeof(float); ++i) x[i] = std::sqrt(x[i]);
+    }
+
+    float along_, across_[2], radius2_;
+};
+
+template <int axis>
+SphereSlicer<axis> slicer(const SphereShape& s) {
+    return SphereSlicer<axis>(s);
 }
 
 }  // namespace ctpbench

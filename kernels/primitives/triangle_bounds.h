@@ -1,9 +1,6 @@
 // Bounds of a triangle, and of the part of it inside a box.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <span>
 #include <utility>
 
 #include "../box.h"
@@ -89,36 +86,66 @@ inline Box clip(const TriangleShape& t, const Box& box) {
     return bounds.rounded_outward(slack, intersection(box, whole));
 }
 
-// Bounds of the triangle's parts between each two successive planes across the axis, from the segments
-// in which the planes cut it. In float, to weigh splits by: not for containment.
-inline void chop(TriangleShape t, int axis, std::span<const float> planes, Box* pieces) {
-    if (t.b[axis] < t.a[axis]) std::swap(t.a, t.b);
-    if (t.c[axis] < t.b[axis]) std::swap(t.b, t.c);
-    if (t.b[axis] < t.a[axis]) std::swap(t.a, t.b);
-    const float a = t.a[axis], b = t.b[axis], c = t.c[axis];
-    if (a == c) {
-        std::fill_n(pieces, planes.size() - 1, bounds(t));
-        return;
+// Bounds of the triangle's parts between two planes across an axis, along the other two: those that follow
+// the axis in the cycle x, y, z. In float, to weigh splits by: not for containment. Straight-line code over
+// float or a vector of floats, which takes several parts at once. Planes beyond the triangle give garbage.
+template <int axis>
+class TriangleSlicer {
+public:
+    explicit TriangleSlicer(const TriangleShape& t) {
+        const Vec3 corners[3] = {t.a, t.b, t.c};
+        const float x[3] = {t.a[axis], t.b[axis], t.c[axis]};
+        // Ranks along the axis: sorting by branches would mispredict every other one.
+        const int rank_a = (x[0] > x[1]) + (x[0] > x[2]), rank_b = (x[1] >= x[0]) + (x[1] > x[2]);
+        int at[3];
+        at[rank_a] = 0, at[rank_b] = 1, at[3 - rank_a - rank_b] = 2;
+        const Vec3 &first = corners[at[0]], &middle = corners[at[1]], &last = corners[at[2]];
+        first_ = first[axis], middle_ = middle[axis], last_ = last[axis];
+        const float per_whole = inverse(last_ - first_), per_first = inverse(middle_ - first_),
+                    per_last = inverse(last_ - middle_);
+        for (int k = 0; k < 2; ++k) {
+            const int other = (axis + 1 + k) % 3;
+            Edges& e = edges_[k];
+            e.first = first[other], e.middle = middle[other], e.last = last[other];
+            e.whole_slope = (e.last - e.first) * per_whole;
+            e.first_slope = (e.middle - e.first) * per_first;
+            e.last_slope = (e.last - e.middle) * per_last;
+        }
     }
-    const Vec3 ac = (t.c - t.a) * (1.0f / (c - a));
-    const Vec3 ab = (t.b - t.a) * (1.0f / (b - a));
-    const Vec3 bc = (t.c - t.b) * (1.0f / (c - b));
-    const auto cross_section = [&](float plane) -> Box {
-        if (plane <= a) return {t.a, t.a};
-        if (plane >= c) return {t.c, t.c};
-        const Vec3 p = t.a + ac * (plane - a);
-        const Vec3 q = plane < b ? t.a + ab * (plane - a) : t.b + bc * (plane - b);
-        return {min(p, q), max(p, q)};
+
+    template <class T>
+    CTP_INLINE void operator()(const T& from, const T& to, T (&lo)[2], T (&hi)[2]) const {
+        const auto from_early = from < middle_, to_early = to < middle_;
+        for (int k = 0; k < 2; ++k) {
+            const Edges& e = edges_[k];
+            const T p = e.first + e.whole_slope * (from - first_);
+            const T q = e.last + e.whole_slope * (to - last_);
+            const T u = from_early ? e.first + e.first_slope * (from - first_)
+                                   : e.middle + e.last_slope * (from - middle_);
+            const T v =
+                to_early ? e.first + e.first_slope * (to - first_) : e.middle + e.last_slope * (to - middle_);
+            // The middle corner, if it is between the planes: from_early and not to_early.
+            const T m = from_early ? T(to_early ? v : T{} + e.middle) : u;
+            const T pq = p < q ? p : q, uv = u < v ? u : v, PQ = p < q ? q : p, UV = u < v ? v : u;
+            const T l = pq < uv ? pq : uv, h = PQ < UV ? UV : PQ;
+            lo[k] = m < l ? m : l;
+            hi[k] = h < m ? m : h;
+        }
+    }
+
+private:
+    static float inverse(float length) { return 1.0f / max(length, 1e-30f); }
+
+    struct Edges {  // corners in order along the axis, and slopes of the edges between them
+        float first, middle, last, whole_slope, first_slope, last_slope;
     };
-    Box from = cross_section(planes[0]);
-    for (std::size_t i = 0; i + 1 < planes.size(); ++i) {
-        const Box to = cross_section(planes[i + 1]);
-        Box piece = from;
-        piece.extend(to);
-        if (b >= planes[i] && b <= planes[i + 1]) piece.extend(t.b);
-        pieces[i] = piece;
-        from = to;
-    }
+    float first_, middle_, last_;
+    Edges edges_[2];
+};
+
+template <int axis>
+TriangleSlicer<axis> slicer(const TriangleShape& t) {
+    return TriangleSlicer<axis>(t);
 }
 
 }  // namespace ctpbench

@@ -1,113 +1,158 @@
 // The memory of a build, divided among subtrees so that they can be built in parallel without sharing
 // anything, and so that a budget that runs out does so in the same place in every run.
 //
-// References live in two buffers of the budgeted size. A node owns a range of one of them, longer than the
-// references in it: the rest is its share of the budget. It writes its children's references into its range
-// of the other buffer, and divides what is left of the range between them. The place where the second
-// child's range begins belongs to no other node, and names the slot of the pair in the node array.
+// A node's capacity is the number of references that its subtree may have: its own, and a share of what the
+// budget has to spare. Large nodes are split level by level; the references of a level lie packed in one of
+// two buffers, in no particular order of nodes. A small node's subtree is built by one task, in memory of
+// the thread's own that stays in its cache: there a node has a range of one of two buffers as long as its
+// capacity, and its children have parts of the same range of the other buffer.
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <span>
+#include <utility>
+#include <vector>
 
-#include "accel/object_split.h"
-#include "accel/partition.h"
+#include "accel/huge_array.h"
 #include "accel/reference.h"
+#include "accel/sides.h"
+#include "accel/split_sweep.h"
 #include "accel/tree_layout.h"
+#include "kernels/bvh.h"
 
 namespace ctpbench {
 
-// A node to build: `count` references at `begin` of buffer `buffer`, room for `capacity`.
+// A node to build. `begin` and `buffer` are meaningful in a task.
 struct BuildJob {
-    std::uint32_t node, begin, count, capacity, depth;
+    const Reference* refs;
+    std::uint32_t count, capacity, depth, begin;
     int buffer;
     Extent extent;
+
+    std::span<const Reference> references() const { return {refs, count}; }
 };
 
-// Where a node's children go, and what has been put there.
+// A node's children, and how its capacity is divided.
 struct Children {
     Side left, right;
-    std::uint32_t right_begin = 0;
+    std::uint32_t left_capacity = 0;
 
     BuildJob left_job(const BuildJob& parent) const {
-        return {2 * right_begin,  parent.begin,      left.count, right_begin - parent.begin,
-                parent.depth + 1, 1 - parent.buffer, left.extent};
+        return {left.out,     left.count,        left_capacity, parent.depth + 1,
+                parent.begin, 1 - parent.buffer, left.extent};
     }
     BuildJob right_job(const BuildJob& parent) const {
-        return {2 * right_begin + 1, right_begin,
-                right.count,         parent.capacity - (right_begin - parent.begin),
-                parent.depth + 1,    1 - parent.buffer,
+        return {right.out,
+                right.count,
+                parent.capacity - left_capacity,
+                parent.depth + 1,
+                parent.begin + left_capacity,
+                1 - parent.buffer,
                 right.extent};
     }
+};
+
+// Divides a node's capacity for at most as many references as `sides` says. What is to spare goes where it
+// is likely to be used: to many references, and to large ones. A single one is never split.
+inline std::uint32_t capacity_of_left(const BuildJob& job, const SplitSides& sides) {
+    const auto weight = [](std::uint32_t count, float area) {
+        return count > 1 ? count * std::sqrt(double{area}) : 0.0;
+    };
+    const double left = weight(sides.left, sides.left_box.half_area());
+    const double right = weight(sides.right, sides.right_box.half_area());
+    const double share = left + right > 0 ? left / (left + right) : 0.5;
+    const std::uint32_t spare = job.capacity - sides.left - sides.right;
+    return sides.left + std::min(spare, static_cast<std::uint32_t>(share * spare));
+}
+
+// Where a task works, and what it has built below the root of its subtree, in the final order.
+class TaskMemory {
+public:
+    std::vector<BvhNode> nodes;
+    std::vector<PrimitiveRef> entries;
+
+    // Empties it, and moves a node's references here.
+    BuildJob begin(const BuildJob& from) {
+        nodes.clear();
+        entries.clear();
+        for (auto& b : references_) {
+            if (b.size() < from.capacity) b = HugeArray<Reference>(2 * std::size_t{from.capacity});
+        }
+        BuildJob job = from;
+        std::copy_n(from.refs, from.count, references_[0].get());
+        job.refs = references_[0].get();
+        job.begin = 0;
+        job.buffer = 0;
+        return job;
+    }
+    Children divide(const BuildJob& job, const SplitSides& sides) {
+        Children children;
+        children.left_capacity = capacity_of_left(job, sides);
+        children.left.out = references_[1 - job.buffer].get() + job.begin;
+        children.right.out = children.left.out + children.left_capacity;
+        return children;
+    }
+    ReferencePool* pool() { return nullptr; }
+
+private:
+    HugeArray<Reference> references_[2] = {HugeArray<Reference>(0), HugeArray<Reference>(0)};
+};
+
+// Where the children of a level's nodes go.
+class LevelMemory {
+public:
+    explicit LevelMemory(Reference* to) : pool_(to) {}
+
+    Children divide(const BuildJob& job, const SplitSides& sides) {
+        Children children;
+        children.left_capacity = capacity_of_left(job, sides);
+        return children;
+    }
+    ReferencePool* pool() { return &pool_; }
+
+private:
+    ReferencePool pool_;
 };
 
 class BuildMemory {
 public:
     // For at most `capacity` references. Pages that are not written to are never committed.
     explicit BuildMemory(std::size_t capacity)
-        : capacity_(capacity),
-          nodes_(std::make_unique_for_overwrite<BvhNode[]>(2 * capacity)),
-          first_child_(std::make_unique_for_overwrite<SubtreeSize[]>(capacity)),
-          entries_(std::make_unique_for_overwrite<std::uint32_t[]>(capacity)) {
-        for (auto& b : references_) b = std::make_unique_for_overwrite<Reference[]>(capacity);
-    }
+        : references_{HugeArray<Reference>(capacity), HugeArray<Reference>(capacity)},
+          nodes_(2 * capacity),
+          entries_(capacity) {}
 
     Reference* references(int buffer) { return references_[buffer].get(); }
-    std::span<const Reference> references(const BuildJob& job) const {
-        return {references_[job.buffer].get() + job.begin, job.count};
-    }
-    BvhNode& node(const BuildJob& job) { return nodes_[job.node]; }
-    void set_first_child(const Children& children, SubtreeSize size) {
-        first_child_[children.right_begin] = size;
+    // Of this thread.
+    TaskMemory& task() { return tasks_.local(); }
+
+    // Keeps what a task has built: wherever there is room, since the final order does not depend on it.
+    void pack(const TaskMemory& from, TreePart& part) {
+        BvhNode* nodes = nodes_.get() + nodes_used_.fetch_add(from.nodes.size());
+        PrimitiveRef* entries = entries_.get() + entries_used_.fetch_add(from.entries.size());
+        std::copy(from.nodes.begin(), from.nodes.end(), nodes);
+        std::copy(from.entries.begin(), from.entries.end(), entries);
+        part.nodes = nodes;
+        part.entries = entries;
     }
 
-    // Divides the node's range for at most as many references as `sides` says. What is to spare goes where
-    // it is likely to be used: to many references, and to large ones. A single one is never split.
-    Children divide(const BuildJob& job, const SplitSides& sides) {
-        const auto weight = [](std::uint32_t count, float area) {
-            return count > 1 ? count * std::sqrt(double{area}) : 0.0;
-        };
-        const double left = weight(sides.left, sides.left_box.half_area());
-        const double right = weight(sides.right, sides.right_box.half_area());
-        const double share = left + right > 0 ? left / (left + right) : 0.5;
-        const std::uint32_t spare = job.capacity - sides.left - sides.right;
-        Children children;
-        children.right_begin =
-            job.begin + sides.left + std::min(spare, static_cast<std::uint32_t>(share * spare));
-        children.left.out = references(1 - job.buffer) + job.begin;
-        children.right.out = references(1 - job.buffer) + children.right_begin;
-        return children;
-    }
-
-    // Keeps the primitives of a leaf, and returns where.
-    std::uint32_t store_leaf(const BuildJob& job) {
-        std::uint32_t* out = entries_.get() + job.begin;
-        for (const Reference& r : references(job)) *out++ = r.primitive();
-        return job.begin;
-    }
-
-    // The tree in its final order. Nothing is left here.
-    OrderedTree release(SubtreeSize size) {
+    // Once the tree is built, to make room for the final one.
+    void release_references() {
         for (auto& b : references_) b.reset();
-        OrderedTree ordered = order_depth_first({{nodes_.get(), 2 * capacity_},
-                                                 {first_child_.get(), capacity_},
-                                                 {entries_.get(), capacity_},
-                                                 size});
-        nodes_.reset();
-        first_child_.reset();
-        entries_.reset();
-        return ordered;
     }
 
 private:
-    std::size_t capacity_;
-    std::unique_ptr<BvhNode[]> nodes_;
-    std::unique_ptr<SubtreeSize[]> first_child_;  // of the pair in each slot
-    std::unique_ptr<std::uint32_t[]> entries_;
-    std::unique_ptr<Reference[]> references_[2];
+    HugeArray<Reference> references_[2];
+    // A tree of as many leaves as there is room for references has one inner node less, each with a pair.
+    HugeArray<BvhNode> nodes_;
+    HugeArray<PrimitiveRef> entries_;
+    std::atomic<std::size_t> nodes_used_{0}, entries_used_{0};
+    tbb::enumerable_thread_specific<TaskMemory> tasks_;
 };
 
 }  // namespace ctpbench

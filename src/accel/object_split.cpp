@@ -7,107 +7,122 @@
 namespace ctpbench {
 namespace {
 
-struct Bin {
-    Bounds4 box = Bounds4::empty();
-    std::uint32_t count = 0;
+struct Bins {
+    Bounds4 box[3][kMaxBins];
+    std::uint32_t count[3][kMaxBins];
+
+    void clear(std::uint32_t bins) {
+        for (int axis = 0; axis < 3; ++axis) {
+            std::fill_n(box[axis], bins, Bounds4::empty());
+            std::fill_n(count[axis], bins, 0);
+        }
+    }
 };
 
 // Sweeps the planes between bins and keeps the best.
-void sweep_bins(const Bin* bins, std::uint32_t count, int axis, ObjectSplit& best) {
-    std::array<Bin, kMaxBins> right;
-    Bin sum;
-    for (std::uint32_t b = count; b-- > 1;) {
-        sum.box.extend(bins[b].box);
-        sum.count += bins[b].count;
-        right[b] = sum;
-    }
-    Bin left;
+void sweep_bins(const Bins& bins, std::uint32_t count, int axis, std::uint32_t n, ObjectSplit& best) {
+    SplitSweep sweep(bins.box[axis], count);
+    std::uint32_t left = 0;
     for (std::uint32_t b = 1; b < count; ++b) {
-        left.box.extend(bins[b - 1].box);
-        left.count += bins[b - 1].count;
-        if (left.count == 0 || right[b].count == 0) continue;
-        const auto sides = SplitSides::of(left.box, left.count, right[b].box, right[b].count);
-        if (!sides.better_than(best)) continue;
-        static_cast<SplitSides&>(best) = sides;
-        best.axis = axis;
-        best.first_right_bin = static_cast<int>(b);
-        best.bins = count;
+        left += bins.count[axis][b - 1];
+        sweep.try_next(left, n - left, best);
     }
+    if (!sweep.improved()) return;
+    best.axis = axis;
+    best.first_right_bin = static_cast<int>(sweep.position());
+    best.bins = count;
 }
 
-void try_bins(std::span<const Reference> refs, const Extent& extent, int axis, std::uint32_t count,
-              ObjectSplit& best) {
-    const BinGrid grid(extent.centers.lo[axis], extent.centers.hi[axis], count);
-    if (!grid.usable()) return;
-    using Bins = std::array<Bin, kMaxBins>;
+void try_bins(std::span<const Reference> refs, const Extent& extent, std::uint32_t count,
+              const bool (&tried)[3], ObjectSplit& best) {
+    const BinGrids grids(extent.centers, count);
     const Bins bins = reduce_in_chunks<Bins>(
         refs.size(),
         [&](std::size_t begin, std::size_t end, Bins& out) {
-            for (std::size_t i = begin; i < end; ++i) {
-                Bin& bin = out[grid.bin(refs[i].center2()[axis])];
-                bin.box.extend(refs[i].bounds());
-                ++bin.count;
+            out.clear(count);
+            for (const Reference& r : refs.subspan(begin, end - begin)) {
+                const Int4 at = grids.bin(r.center2());
+                for (int axis = 0; axis < 3; ++axis) {
+                    if (!tried[axis]) continue;
+                    out.box[axis][at[axis]].extend(r.bounds());
+                    ++out.count[axis][at[axis]];
+                }
             }
         },
         [&](Bins& into, const Bins& from) {
-            for (std::uint32_t b = 0; b < count; ++b) {
-                into[b].box.extend(from[b].box);
-                into[b].count += from[b].count;
+            for (int axis = 0; axis < 3; ++axis) {
+                for (std::uint32_t b = 0; b < count; ++b) {
+                    into.box[axis][b].extend(from.box[axis][b]);
+                    into.count[axis][b] += from.count[axis][b];
+                }
             }
         });
-    sweep_bins(bins.data(), count, axis, best);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (tried[axis] && grids.usable(axis))
+            sweep_bins(bins, count, axis, static_cast<std::uint32_t>(refs.size()), best);
+    }
+    if (!best.exists()) return;
+    best.set_boxes(bins.box[best.axis], count, static_cast<std::uint32_t>(best.first_right_bin));
 }
 
-void try_every_position(std::span<const Reference> refs, int axis, ObjectSplit& best) {
-    std::array<std::uint8_t, kMaxBins> order;
-    sort_by_center(refs, axis, order.data());
+void try_every_position(std::span<const Reference> refs, const bool (&tried)[3], ObjectSplit& best) {
     const auto n = static_cast<std::uint32_t>(refs.size());
-    std::array<Bounds4, kMaxBins> right;
-    Bounds4 box = Bounds4::empty();
-    for (std::uint32_t i = n; i-- > 1;) {
-        box.extend(refs[order[i]].bounds());
-        right[i] = box;
+    CenterOrder order;
+    sort_by_center(refs, order);
+    std::array<Bounds4, kMaxBins> boxes[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!tried[axis]) continue;
+        for (std::uint32_t i = 0; i < n; ++i) boxes[axis][i] = refs[order[axis][i]].bounds();
+        SplitSweep sweep(boxes[axis].data(), n);
+        for (std::uint32_t i = 1; i < n; ++i) sweep.try_next(i, n - i, best);
+        if (sweep.improved()) {
+            best.axis = axis;
+            best.rank = sweep.position();
+        }
+        if (n == 2) break;  // the same along all axes
     }
-    Bounds4 left = Bounds4::empty();
-    for (std::uint32_t i = 1; i < n; ++i) {
-        left.extend(refs[order[i - 1]].bounds());
-        const auto sides = SplitSides::of(left, i, right[i], n - i);
-        if (!sides.better_than(best)) continue;
-        static_cast<SplitSides&>(best) = sides;
-        best.axis = axis;
-        best.rank = i;
-        best.bins = 0;
-    }
+    if (!best.exists()) return;
+    best.bins = 0;
+    best.set_boxes(boxes[best.axis].data(), n, best.rank);
 }
 
 }  // namespace
 
-void sort_by_center(std::span<const Reference> refs, int axis, std::uint8_t* order) {
-    std::array<float, kMaxBins> key;
-    for (std::size_t i = 0; i < refs.size(); ++i) {
-        const float k = refs[i].center2()[axis];
-        std::size_t at = i;
-        for (; at > 0 && key[at - 1] > k; --at) {
-            key[at] = key[at - 1];
-            order[at] = order[at - 1];
+void sort_by_center(std::span<const Reference> refs, CenterOrder& order) {
+    // Each one's place is the number of those that come before it, here along three axes at once: without
+    // a branch to mispredict.
+    std::array<Float4, kMaxBins> center;
+    std::array<Int4, kMaxBins> place;
+    const auto n = static_cast<int>(refs.size());
+    for (int j = 0; j < n; ++j) {
+        const Float4 c = refs[j].center2();
+        Int4 before = Int4{} + j;
+        for (int i = 0; i < j; ++i) {
+            const Int4 swapped = center[i] > c;  // -1 if so
+            place[i] -= swapped;
+            before += swapped;
         }
-        key[at] = k;
-        order[at] = static_cast<std::uint8_t>(i);
+        center[j] = c;
+        place[j] = before;
+    }
+    for (int i = 0; i < n; ++i) {
+        for (int axis = 0; axis < 3; ++axis) order[axis][place[i][axis]] = static_cast<std::uint8_t>(i);
     }
 }
 
 ObjectSplit find_object_split(std::span<const Reference> refs, const Extent& extent,
                               const SbvhSettings& settings) {
     ObjectSplit best;
-    const bool exact = refs.size() <= settings.sweep_below;
+    bool tried[3];
     for (int axis = 0; axis < 3; ++axis) {
-        if (!settings.all_axes && axis != extent.centers.longest_axis()) continue;
-        if (!(extent.centers.hi[axis] > extent.centers.lo[axis])) continue;
-        if (exact) {
-            try_every_position(refs, axis, best);
-        } else {
-            try_bins(refs, extent, axis, settings.object_bins, best);
-        }
+        tried[axis] = (settings.all_axes || axis == extent.centers.longest_axis()) &&
+                      extent.centers.hi[axis] > extent.centers.lo[axis];
+    }
+    if (!(tried[0] || tried[1] || tried[2])) return best;
+    if (refs.size() > settings.sweep_below) {
+        try_bins(refs, extent, settings.object_bins, tried, best);
+    } else {
+        try_every_position(refs, tried, best);
     }
     return best;
 }

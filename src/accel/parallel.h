@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 namespace ctpbench {
 
@@ -25,18 +25,19 @@ void for_each_chunk(std::size_t n, const Body& body) {
     });
 }
 
-// body(begin, end, partial) adds to a T{}; join(into, from) in the order of the chunks.
+// body(begin, end, partial) sets what its part gives; join(into, from) in the order of the chunks.
 template <class T, class Body, class Join>
 T reduce_in_chunks(std::size_t n, const Body& body, const Join& join) {
-    T result{};
+    T result;
     if (n <= kChunk) {
         body(std::size_t{0}, n, result);
         return result;
     }
-    std::vector<T> partial(chunk_count(n));
-    for_each_chunk(n,
-                   [&](std::size_t c, std::size_t begin, std::size_t end) { body(begin, end, partial[c]); });
-    for (const T& p : partial) join(result, p);
+    const auto partial = std::make_unique_for_overwrite<T[]>(chunk_count(n) - 1);
+    for_each_chunk(n, [&](std::size_t c, std::size_t begin, std::size_t end) {
+        body(begin, end, c == 0 ? result : partial[c - 1]);
+    });
+    for (std::size_t c = 1; c < chunk_count(n); ++c) join(result, partial[c - 1]);
     return result;
 }
 

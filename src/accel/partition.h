@@ -1,90 +1,47 @@
-// Distributes a node's references to its two children, out of place and in a fixed order.
+// The ways to distribute a node's references to its two children.
 #pragma once
 
 #include <algorithm>
-#include <memory>
+#include <array>
 #include <span>
 #include <vector>
 
 #include "accel/object_split.h"
-#include "accel/parallel.h"
 #include "accel/reference.h"
+#include "accel/sides.h"
 #include "accel/spatial_split.h"
 
 namespace ctpbench {
 
-// Receives the references of one side.
-struct Side {
-    Reference* out = nullptr;
-    std::uint32_t count = 0;
-    Extent extent;
-
-    void put(const Reference& r) {
-        out[count++] = r;
-        extent.extend(r);
-    }
-};
-
-// route(part, left, right) puts each reference of `part` to one side or both. `left` and `right` have
-// room for the result. Large nodes are routed in chunks whose results are then strung together.
-template <class Route>
-void partition(std::span<const Reference> refs, const Route& route, Side& left, Side& right) {
-    if (refs.size() <= kChunk) {
-        route(refs, left, right);
-        return;
-    }
-    struct Chunk {
-        std::unique_ptr<Reference[]> buffer;
-        Side left, right;
-        std::uint32_t left_at, right_at;
-    };
-    std::vector<Chunk> chunks(chunk_count(refs.size()));
-    for_each_chunk(refs.size(), [&](std::size_t c, std::size_t begin, std::size_t end) {
-        Chunk& chunk = chunks[c];
-        chunk.buffer = std::make_unique_for_overwrite<Reference[]>(2 * (end - begin));
-        chunk.left.out = chunk.buffer.get();
-        chunk.right.out = chunk.buffer.get() + (end - begin);
-        route(refs.subspan(begin, end - begin), chunk.left, chunk.right);
-    });
-    for (Chunk& chunk : chunks) {
-        chunk.left_at = left.count;
-        chunk.right_at = right.count;
-        left.count += chunk.left.count;
-        right.count += chunk.right.count;
-        left.extent.extend(chunk.left.extent);
-        right.extent.extend(chunk.right.extent);
-    }
-    for_each_chunk(refs.size(), [&](std::size_t c, std::size_t, std::size_t) {
-        const Chunk& chunk = chunks[c];
-        std::copy_n(chunk.left.out, chunk.left.count, left.out + chunk.left_at);
-        std::copy_n(chunk.right.out, chunk.right.count, right.out + chunk.right_at);
-    });
-}
-
 inline void partition_by_center(std::span<const Reference> refs, const Extent& extent,
-                                const ObjectSplit& split, Side& left, Side& right) {
+                                const ObjectSplit& split, ReferencePool* pool, Side& left, Side& right) {
     if (split.bins == 0) {
-        std::array<std::uint8_t, kMaxBins> order;
-        sort_by_center(refs, split.axis, order.data());
-        for (std::uint32_t i = 0; i < refs.size(); ++i) (i < split.rank ? left : right).put(refs[order[i]]);
+        CenterOrder order;
+        sort_by_center(refs, order);
+        for (std::uint32_t i = 0; i < refs.size(); ++i)
+            (i < split.rank ? left : right).put(refs[order[split.axis][i]]);
         return;
     }
     const BinGrid grid = split.grid(extent);
     partition(
         refs,
-        [&](std::span<const Reference> part, Side& l, Side& r) {
+        [&](std::span<const Reference> part, auto& l, auto& r) {
             for (const Reference& ref : part) {
                 (grid.bin(ref.center2()[split.axis]) < split.first_right_bin ? l : r).put(ref);
             }
         },
-        left, right);
+        pool, left, right);
 }
 
 // Half of the references to each side, by center along the longest axis, whatever the cost. The same
 // primitive's parts may have equal centers, so ties fall as nth_element leaves them, which is the same in
 // every run.
-inline void partition_at_median(std::span<const Reference> refs, const Extent& extent, Side& left,
-                                Side& right) {
+inline void partition_at_median(std::span<const Reference> refs, const Extent& extent, ReferencePool* pool,
+                                Side& left, Side& right) {
+    if (pool != nullptr) {
+        left.out = pool->take(refs.size());
+        right.out = left.out + refs.size() / 2;
+    }
     const int axis = extent.centers.longest_axis();
     std::vector<Reference> sorted(refs.begin(), refs.end());
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -96,13 +53,13 @@ inline void partition_at_median(std::span<const Reference> refs, const Extent& e
 }
 
 // References of the first one's type to the left.
-inline void partition_by_type(std::span<const Reference> refs, Side& left, Side& right) {
+inline void partition_by_type(std::span<const Reference> refs, ReferencePool* pool, Side& left, Side& right) {
     partition(
         refs,
-        [type = refs.front().type()](std::span<const Reference> part, Side& l, Side& r) {
+        [type = refs.front().type()](std::span<const Reference> part, auto& l, auto& r) {
             for (const Reference& ref : part) (ref.type() == type ? l : r).put(ref);
         },
-        left, right);
+        pool, left, right);
 }
 
 // Decides for a reference across the plane: both sides, or one of them whole (Stich et al. 2009, section
@@ -138,13 +95,14 @@ private:
 // Cuts the references at the plane. A side may come out empty; then the split was none.
 template <PrimitiveSource Source>
 void partition_by_plane(const Source& source, std::span<const Reference> refs, const Bounds4& node,
-                        const SpatialSplit& split, bool unsplitting, Side& left, Side& right) {
+                        const SpatialSplit& split, bool unsplitting, ReferencePool* pool, Side& left,
+                        Side& right) {
     const BinGrid grid = split.grid(node);
     const int axis = split.axis;
     const float plane = grid.plane(split.first_right_bin);
     partition(
         refs,
-        [&](std::span<const Reference> part, Side& l, Side& r) {
+        [&](std::span<const Reference> part, auto& l, auto& r) {
             Unsplitter unsplitter{split.left_box, split.right_box, split.left, split.right};
             for (const Reference& ref : part) {
                 const int first = grid.bin(ref.lo[axis]);
@@ -176,7 +134,7 @@ void partition_by_plane(const Source& source, std::span<const Reference> refs, c
                 }
             }
         },
-        left, right);
+        pool, left, right);
 }
 
 }  // namespace ctpbench

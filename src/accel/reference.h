@@ -6,15 +6,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "accel/vectors.h"
 #include "kernels/box.h"
 
 namespace ctpbench {
-
-// GCC's and Clang's vector extension; both compile it to whatever the target has.
-using Float4 = float __attribute__((vector_size(16)));
-
-inline Float4 lower(Float4 a, Float4 b) { return a < b ? a : b; }
-inline Float4 upper(Float4 a, Float4 b) { return a > b ? a : b; }
 
 // A box; the fourth lanes hold nothing.
 struct Bounds4 {
@@ -30,10 +25,11 @@ struct Bounds4 {
     }
     Bounds4 united(const Bounds4& b) const { return {lower(lo, b.lo), upper(hi, b.hi)}; }
     bool is_empty() const { return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]; }
+    // Of a box that holds something, or of empty().
     float half_area() const {
-        if (is_empty()) return 0.0f;
-        const Float4 e = hi - lo;
-        return e[0] * e[1] + e[1] * e[2] + e[2] * e[0];
+        const Float4 e = upper(hi - lo, Float4{});
+        const Float4 faces = e * __builtin_shufflevector(e, e, 1, 2, 0, 3);
+        return faces[0] + faces[1] + faces[2];
     }
     int longest_axis() const {
         const Float4 e = hi - lo;
@@ -43,7 +39,8 @@ struct Bounds4 {
 };
 
 inline float half_area_of_overlap(const Bounds4& a, const Bounds4& b) {
-    return Bounds4{upper(a.lo, b.lo), lower(a.hi, b.hi)}.half_area();
+    const Bounds4 both{upper(a.lo, b.lo), lower(a.hi, b.hi)};
+    return both.is_empty() ? 0.0f : both.half_area();
 }
 
 // A primitive, or the part of it inside a box: the box, the primitive's number in the source, its type.

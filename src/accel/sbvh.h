@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 
 #include "accel/tree.h"
 #include "kernels/box.h"
@@ -42,15 +41,15 @@ struct SbvhSettings {
 
 // Primitives to build over, numbered from 0. All members are called from many threads at once.
 template <class S>
-concept PrimitiveSource = requires(const S& source, std::uint32_t i, const Box& box, int axis,
-                                   std::span<const float> planes, Box* pieces) {
+concept PrimitiveSource = requires(const S& source, std::uint32_t i, const Box& box) {
     { source.size() } -> std::convertible_to<std::size_t>;
     { source.bounds(i) } -> std::same_as<Box>;
     // Contains every point of primitive i inside the box, and lies in the box; empty if there are none.
     { source.clip(i, box) } -> std::same_as<Box>;
-    // Bounds of the parts of primitive i between each two successive planes across the axis. They steer the
-    // choice of a split and no more, so rounding errors are harmless.
-    { source.chop(i, axis, planes, pieces) } -> std::same_as<void>;
+    // Calls its argument with primitive i, a shape of which slicer(shape, axis) cuts parts between planes.
+    {
+        source.with_shape(i, [](const auto&) {})
+        } -> std::same_as<void>;
     { source.ref(i) } -> std::same_as<PrimitiveRef>;
 };
 

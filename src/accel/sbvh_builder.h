@@ -1,24 +1,25 @@
-// The builder that sbvh.h declares: from the root down, each node takes the best of an object split, a
-// spatial split and staying a leaf; then its children are built, in parallel where they are large.
+// The builder that sbvh.h declares: large nodes are split level by level, each in parallel; what is below
+// small ones is built by one task each, depth first.
 #pragma once
 
-#include <tbb/parallel_invoke.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "accel/build_memory.h"
 #include "accel/build_progress.h"
-#include "accel/object_split.h"
+#include "accel/node_splitter.h"
 #include "accel/parallel.h"
-#include "accel/partition.h"
 #include "accel/reference.h"
 #include "accel/sbvh.h"
-#include "accel/spatial_split.h"
+#include "accel/sides.h"
+#include "accel/tree_layout.h"
 #include "base/error.h"
 
 namespace ctpbench {
@@ -50,7 +51,14 @@ public:
             memory_ = &memory;
             const BuildJob root = gather(memory, static_cast<std::uint32_t>(capacity));
             tree.skipped = primitives - root.count;
-            if (root.count > 0) finish(tree, memory.release(build(root)));
+            if (root.count > 0) {
+                const NodeSplitter<Source> splitter(source_, settings_, root.extent.box.half_area());
+                splitter_ = &splitter;
+                const std::unique_ptr<TreePart> parts = build_parts(root);
+                memory.release_references();
+                assemble(*parts, tree);
+                tree.sah = sah_cost(tree);
+            }
         }
         tree.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         progress.finish();
@@ -63,11 +71,11 @@ private:
 
     // All primitives, as the references of the root.
     BuildJob gather(BuildMemory& memory, std::uint32_t capacity) {
-        BuildJob root{0, 0, 0, capacity, 1, 0, {}};
+        BuildJob root{memory.references(0), 0, capacity, 1, 0, 0, {}};
         const std::size_t n = source_.size();
         std::vector<Side> chunks(chunk_count(n));
         for_each_chunk(n, [&](std::size_t c, std::size_t begin, std::size_t end) {
-            Side side{memory.references(1) + begin, 0, {}};
+            Side side{memory.references(0) + begin, 0, {}};
             for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
                 const Box box = source_.bounds(i);
                 if (usable(box)) side.put(Reference::make(box, i, source_.ref(i).type));
@@ -75,11 +83,12 @@ private:
             chunks[c] = side;
         });
         for (const Side& chunk : chunks) {
-            std::copy_n(chunk.out, chunk.count, memory.references(0) + root.count);
+            // Moved only if an earlier chunk left some out.
+            Reference* to = memory.references(0) + root.count;
+            if (to != chunk.out) std::copy_n(chunk.out, chunk.count, to);
             root.count += chunk.count;
             root.extent.extend(chunk.extent);
         }
-        root_area_ = root.extent.box.half_area();
         return root;
     }
 
@@ -92,103 +101,93 @@ private:
         return true;
     }
 
-    SubtreeSize build(const BuildJob& job) {
-        BvhNode& node = memory_->node(job);
+    static SubtreeSize joined(const SubtreeSize& a, const SubtreeSize& b) {
+        return {1 + a.inner + b.inner, a.entries + b.entries, 1 + std::max(a.depth, b.depth)};
+    }
+
+    // The top of the tree, down to the subtrees that are built by one task.
+    std::unique_ptr<TreePart> build_parts(const BuildJob& root) {
+        struct Open {
+            BuildJob job;
+            TreePart* part;
+            Children children;
+        };
+        auto all = std::make_unique<TreePart>();
+        std::vector<Open> level{{root, all.get(), {}}};
+        for (int from = 0; !level.empty(); from = 1 - from) {
+            LevelMemory memory(memory_->references(1 - from));
+            tbb::parallel_for(
+                tbb::blocked_range<std::size_t>(0, level.size(), 1),
+                [&](const auto& range) {
+                    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        Open& open = level[i];
+                        if (open.job.count <= kTask || !splitter_->split(open.job, memory, open.children)) {
+                            build_task(open.job, *open.part);
+                            continue;
+                        }
+                        open.part->root.set_box(open.job.extent.box.box());
+                        open.part->root.leaf = 0;
+                        open.part->left = std::make_unique<TreePart>();
+                        open.part->right = std::make_unique<TreePart>();
+                    }
+                },
+                tbb::simple_partitioner());
+            std::vector<Open> next;
+            for (const Open& open : level) {
+                if (open.part->left == nullptr) continue;
+                next.push_back({open.children.left_job(open.job), open.part->left.get(), {}});
+                next.push_back({open.children.right_job(open.job), open.part->right.get(), {}});
+            }
+            level = std::move(next);
+        }
+        measure(*all);
+        return all;
+    }
+
+    // Sets the sizes of the parts that have parts.
+    static void measure(TreePart& part) {
+        if (part.left == nullptr) return;
+        measure(*part.left);
+        measure(*part.right);
+        part.size = joined(part.left->size, part.right->size);
+    }
+
+    void build_task(const BuildJob& job, TreePart& part) {
+        TaskMemory& memory = memory_->task();
+        part.size = build(memory.begin(job), part.root, memory);
+        memory_->pack(memory, part);
+        progress_->add(job.capacity);
+    }
+
+    SubtreeSize build(const BuildJob& job, BvhNode& node, TaskMemory& below) {
         node.set_box(job.extent.box.box());
         Children children;
-        if (!split(job, children)) {
-            const std::uint32_t type = settings_.single_type_leaves ? memory_->references(job)[0].type() : 0;
-            node.first = memory_->store_leaf(job);
-            node.leaf = BvhNode::leaf_word(type, job.count);
-            progress_->add(job.capacity);
-            return {0, job.count};
+        if (!splitter_->split(job, below, children)) {
+            const std::span<const Reference> refs = job.references();
+            node.first = static_cast<std::uint32_t>(below.entries.size());
+            node.leaf = BvhNode::leaf_word(settings_.single_type_leaves ? refs[0].type() : 0, job.count);
+            for (const Reference& r : refs) below.entries.push_back(source_.ref(r.primitive()));
+            return {0, job.count, 1};
         }
-        const BuildJob left = children.left_job(job), right = children.right_job(job);
-        node.first = left.node;
+        const auto pair = static_cast<std::uint32_t>(below.nodes.size());
+        node.first = pair;
         node.leaf = 0;
+        const BuildJob left_job = children.left_job(job), right_job = children.right_job(job);
+        BvhNode left, right;
+        left.set_box(left_job.extent.box.box());
+        right.set_box(right_job.extent.box.box());
+        below.nodes.resize(pair + 2);
         SubtreeSize l, r;
-        if (job.count > kTask) {
-            tbb::parallel_invoke([&] { l = build(left); }, [&] { r = build(right); });
+        if (left_first(left, right)) {
+            l = build(left_job, left, below);
+            r = build(right_job, right, below);
         } else {
-            l = build(left);
-            r = build(right);
+            r = build(right_job, right, below);
+            l = build(left_job, left, below);
         }
-        memory_->set_first_child(children, l);
-        return {1 + l.inner + r.inner, l.entries + r.entries};
-    }
-
-    static bool one_type(std::span<const Reference> refs) {
-        for (const Reference& r : refs) {
-            if (r.type() != refs.front().type()) return false;
-        }
-        return true;
-    }
-
-    // False if the node is to be a leaf.
-    bool split(const BuildJob& job, Children& children) {
-        const std::span<const Reference> refs = memory_->references(job);
-        if (job.count == 1) return false;
-        const bool mixed = settings_.single_type_leaves && !one_type(refs);
-        const bool may_be_leaf = job.count <= settings_.max_leaf && !mixed;
-        // Halving down to single references takes this many levels more.
-        const auto levels = static_cast<std::uint32_t>(std::bit_width(job.count - 1));
-        if (may_be_leaf && settings_.fill_leaves) return false;
-        if (job.depth + levels >= kMaxTreeDepth) {
-            if (may_be_leaf) return false;
-            split_at_median(job, refs, children);
-            return true;
-        }
-        const double area = job.extent.box.half_area();
-        const double leaf_cost = settings_.primitive_cost * area * job.count;
-        const auto cost = [&](const SplitSides& s) {
-            return settings_.node_cost * area + settings_.primitive_cost * s.cost;
-        };
-
-        const ObjectSplit object = find_object_split(refs, job.extent, settings_);
-        if (!object.exists() ||
-            half_area_of_overlap(object.left_box, object.right_box) > settings_.alpha * root_area_) {
-            const SpatialSplit spatial =
-                find_spatial_split(source_, refs, job.extent.box, job.capacity, settings_);
-            if (spatial.exists() && spatial.cost < object.cost &&
-                !(may_be_leaf && leaf_cost <= cost(spatial))) {
-                children = memory_->divide(job, spatial);
-                partition_by_plane(source_, refs, job.extent.box, spatial, settings_.unsplitting,
-                                   children.left, children.right);
-                if (children.left.count > 0 && children.right.count > 0) return true;
-            }
-        }
-        if (may_be_leaf && (!object.exists() || leaf_cost <= cost(object))) return false;
-        if (object.exists()) {
-            children = memory_->divide(job, object);
-            partition_by_center(refs, job.extent, object, children.left, children.right);
-        } else if (mixed) {
-            split_by_type(job, refs, children);
-        } else {
-            split_at_median(job, refs, children);
-        }
-        return true;
-    }
-
-    void split_at_median(const BuildJob& job, std::span<const Reference> refs, Children& children) {
-        children = memory_->divide(job, {.left = job.count / 2, .right = job.count - job.count / 2});
-        partition_at_median(refs, job.extent, children.left, children.right);
-    }
-
-    void split_by_type(const BuildJob& job, std::span<const Reference> refs, Children& children) {
-        std::uint32_t first = 0;
-        for (const Reference& r : refs) first += r.type() == refs.front().type();
-        children = memory_->divide(job, {.left = first, .right = job.count - first});
-        partition_by_type(refs, children.left, children.right);
-    }
-
-    void finish(Tree& tree, OrderedTree ordered) {
-        tree.nodes = std::move(ordered.nodes);
-        tree.depth = ordered.depth;
-        tree.refs.resize(ordered.entries.size());
-        for_each_chunk(tree.refs.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) tree.refs[i] = source_.ref(ordered.entries[i]);
-        });
-        tree.sah = sah_cost(tree);
+        below.nodes[pair] = left;
+        below.nodes[pair + 1] = right;
+        return joined(l, r);
     }
 
     const Source& source_;
@@ -196,7 +195,7 @@ private:
     const BuildProgress& callback_;
     ProgressReporter* progress_ = nullptr;
     BuildMemory* memory_ = nullptr;
-    float root_area_ = 0;
+    const NodeSplitter<Source>* splitter_ = nullptr;
 };
 
 template <PrimitiveSource Source>

@@ -44,11 +44,12 @@ public:
                               : ctpbench::clip(scene_->spheres[i - triangles_], box);
     }
 
-    void chop(std::uint32_t i, int axis, std::span<const float> planes, Box* pieces) const {
+    template <class Use>
+    void with_shape(std::uint32_t i, const Use& use) const {
         if (i < triangles_) {
-            ctpbench::chop(scene_->mesh.triangle(i), axis, planes, pieces);
+            use(scene_->mesh.triangle(i));
         } else {
-            ctpbench::chop(scene_->spheres[i - triangles_], axis, planes, pieces);
+            use(scene_->spheres[i - triangles_]);
         }
     }
 

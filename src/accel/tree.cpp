@@ -12,6 +12,7 @@ float sah_cost(const Tree& tree) {
     const double cost = reduce_in_chunks<double>(
         tree.nodes.size(),
         [&](std::size_t begin, std::size_t end, double& sum) {
+            sum = 0;
             for (std::size_t i = begin; i < end; ++i) {
                 if (i == 1) continue;
                 const BvhNode& node = tree.nodes[i];

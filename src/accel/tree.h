@@ -7,18 +7,17 @@
 #include <cstdint>
 #include <new>
 #include <utility>
-#include <vector>
 
-#include "kernels/array.h"
+#include "accel/tree_array.h"
 #include "kernels/bvh.h"
 
 namespace ctpbench {
 
 struct Tree {
-    NodeArray nodes;
-    std::vector<PrimitiveRef> refs;  // leaf entries; a spatially split primitive appears more than once
-    std::uint32_t depth = 0;         // nodes on the longest path; at most kMaxTreeDepth
-    float sah = 0.0f;                // surface area heuristic cost with unit costs, see sah_cost()
+    TreeArray<BvhNode> nodes;
+    TreeArray<PrimitiveRef> refs;  // leaf entries; a spatially split primitive appears more than once
+    std::uint32_t depth = 0;       // nodes on the longest path; at most kMaxTreeDepth
+    float sah = 0.0f;              // surface area heuristic cost with unit costs, see sah_cost()
     double build_seconds = 0.0;
     std::size_t skipped = 0;  // primitives left out: empty, NaN, infinite or absurdly large bounds
 

@@ -82,24 +82,29 @@ TEST(SphereBounds, ClipByHand) {
     EXPECT_FALSE(clip(s, {{5, -1, -1}, {9, 1, 1}}).is_empty()) << "a touch is kept";
 }
 
-TEST(SphereBounds, ChopAgreesWithClip) {
-    const SphereShape s{{1, 2, 3}, 2};
-    for (int axis = 0; axis < 3; ++axis) {
-        std::array<float, 9> planes;
-        for (int i = 0; i < 9; ++i) planes[i] = s.center[axis] - 2 + 0.5f * static_cast<float>(i);
-        std::array<Box, 8> pieces;
-        chop(s, axis, planes, pieces.data());
-        for (int i = 0; i < 8; ++i) {
-            Box slab = bounds(s);
-            slab.lo[axis] = planes[i];
-            slab.hi[axis] = planes[i + 1];
-            const Box part = clip(s, slab);
-            for (int a = 0; a < 3; ++a) {
-                EXPECT_NEAR(pieces[i].lo[a], part.lo[a], 1e-3f);
-                EXPECT_NEAR(pieces[i].hi[a], part.hi[a], 1e-3f);
-            }
+template <int axis>
+void expect_slices_as_clipped(const SphereShape& s) {
+    const auto cut = slicer<axis>(s);
+    for (int i = 0; i < 8; ++i) {
+        Box slab = bounds(s);
+        slab.lo[axis] = s.center[axis] - 2 + 0.5f * static_cast<float>(i);
+        slab.hi[axis] = slab.lo[axis] + 0.5f;
+        const Box part = clip(s, slab);
+        float lo[2], hi[2];
+        cut(slab.lo[axis], slab.hi[axis], lo, hi);
+        for (int k = 0; k < 2; ++k) {
+            const int other = (axis + 1 + k) % 3;
+            EXPECT_NEAR(lo[k], part.lo[other], 1e-3f) << i;
+            EXPECT_NEAR(hi[k], part.hi[other], 1e-3f) << i;
         }
     }
+}
+
+TEST(SphereBounds, SlicerAgreesWithClip) {
+    const SphereShape s{{1, 2, 3}, 2};
+    expect_slices_as_clipped<0>(s);
+    expect_slices_as_clipped<1>(s);
+    expect_slices_as_clipped<2>(s);
 }
 
 }  // namespace
