@@ -106,10 +106,6 @@ private:
         std::uint8_t rays[kInFlight];
     };
 
-    static std::uint32_t stack_stride(std::uint32_t entries) {
-        const std::uint32_t lines = (entries + kWide + 15) / 16;
-        return (lines | 1u) * 16;  // an odd number of cache lines: stacks do not contend for the same sets
-    }
     CTP_INLINE static std::uint32_t list_of(std::uint32_t word) {
         return Leaves::list_of(kind_of_word(word));
     }
@@ -316,8 +312,8 @@ private:
     List lists_[kLists];
     Ray1 rays_[kInFlight];
     std::uint32_t positions_[kMaxChunk];
-    alignas(64) std::uint32_t words_[kInFlight * kMaxStack];
-    alignas(64) float nears_[kInFlight * kMaxStack];
+    alignas(64) std::uint32_t words_[kInFlight * stack_stride(kMaxStack)];
+    alignas(64) float nears_[kInFlight * stack_stride(kMaxStack)];
 };
 
 }  // namespace ctpbench

@@ -16,4 +16,10 @@ struct WideView {
 // beyond.
 inline constexpr std::uint32_t kMaxStack = kMaxTreeDepth * (kWide - 1) + 1 + kWide;
 
+// From one ray's stack to the next one's: an odd number of cache lines, so that stacks do not contend for the
+// same sets of a cache.
+constexpr std::uint32_t stack_stride(std::uint32_t entries) {
+    return ((entries + kWide + 15) / 16 | 1u) * 16;
+}
+
 }  // namespace ctpbench

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/clock.h"
 #include "oracle/embree.h"
 #include "wavefront/interleaved/intersector.h"
 
@@ -30,7 +31,16 @@ std::unique_ptr<Intersector> Lineup::make(const std::string& strategy, const std
     for (const EmbreeContender& e : embree_contenders())
         if (e.name == strategy) return make_embree(embree_scene(e.mode), e.call, e.coherent);
     step_("laying out " + strategy + (traversal == kInterleaved ? ", " + traversal : ""));
-    if (traversal == kInterleaved) return make_interleaved(backend_, strategy, scenes_.layout(types), isa_);
+    if (traversal == kInterleaved) {
+        const LayoutInput& input = scenes_.layout(types);
+        TreeResult wide;  // what comes on top of the binary tree that it is made from
+        std::unique_ptr<Intersector> made;
+        wide.build_seconds = seconds_of([&] { made = make_interleaved(backend_, strategy, input, isa_); });
+        wide.workload = workload_, wide.kind = strategy + "/" + traversal;
+        wide.primitives = scene_.mesh.triangles.size() + scene_.spheres.size(), wide.bytes = made->bytes();
+        results_.trees.push_back(wide);
+        return made;
+    }
     return make_intersector(strategy, methods, scenes_.layout(types));
 }
 

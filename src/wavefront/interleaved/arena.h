@@ -97,6 +97,7 @@ public:
 private:
     struct alignas(64) Unit {
         std::byte bytes[64];
+        Unit() {}  // not zeroed: tasks are the first to touch what they fill
     };
     Array<Unit> units_;
     std::uint32_t root_ = kDone, stack_ = 0;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <vector>
 
 #include "kernels/dispatch/layout.h"
 #include "kernels/interleaved/blocks.h"
@@ -19,16 +18,18 @@ public:
     explicit LeafEntries(std::span<const PrimitiveRef> refs) {
         for (const PrimitiveRef& ref : refs)
             visit_by_tag<Types>(ref.type, [&](auto tag) {
-                indices_[index_of<typename decltype(tag)::type, Types>].push_back(ref.index);
+                Indices& of_type = indices_[index_of<typename decltype(tag)::type, Types>];
+                of_type.index[of_type.count++] = ref.index;
             });
-        for (std::vector<std::uint32_t>& of_type : indices_) {
+        for (Indices& of_type : indices_) {
             std::sort(of_type.begin(), of_type.end());
-            of_type.erase(std::unique(of_type.begin(), of_type.end()), of_type.end());
+            of_type.count =
+                static_cast<std::uint32_t>(std::unique(of_type.begin(), of_type.end()) - of_type.begin());
         }
     }
 
     std::uint32_t blocks(std::uint32_t position) const {
-        return static_cast<std::uint32_t>((indices_[position].size() + kBlock - 1) / kBlock);
+        return (indices_[position].count + kBlock - 1) / kBlock;
     }
     std::uint32_t blocks() const {
         std::uint32_t total = 0;
@@ -38,7 +39,7 @@ public:
     // The position of the one type that there is.
     std::uint32_t only_type() const {
         for (std::uint32_t t = 0; t < Types::size; ++t)
-            if (!indices_[t].empty()) return t;
+            if (indices_[t].count > 0) return t;
         trap();
     }
     // Calls f(block, position of its type) for each, in order.
@@ -47,18 +48,25 @@ public:
         for_each_type(Types{}, [&](auto tag) {
             using T = typename decltype(tag)::type;
             using Block = First<BlocksOf<TypeList<T>>>;
-            const std::vector<std::uint32_t>& indices = indices_[index_of<T, Types>];
-            for (std::size_t begin = 0; begin < indices.size(); begin += kBlock) {
+            const Indices& of_type = indices_[index_of<T, Types>];
+            for (std::uint32_t begin = 0; begin < of_type.count; begin += kBlock) {
                 Block block;
                 for (std::uint32_t lane = 0; lane < kBlock; ++lane)
-                    block.set(lane, geometry, indices[std::min(begin + lane, indices.size() - 1)]);
+                    block.set(lane, geometry, of_type.index[std::min(begin + lane, of_type.count - 1)]);
                 f(block, std::uint32_t{index_of<T, Types>});
             }
         });
     }
 
 private:
-    std::array<std::vector<std::uint32_t>, Types::size> indices_;
+    struct Indices {
+        std::uint32_t index[255];  // SbvhSettings::max_leaf is at most that
+        std::uint32_t count = 0;
+
+        std::uint32_t* begin() { return index; }
+        std::uint32_t* end() { return index + count; }
+    };
+    std::array<Indices, Types::size> indices_;
 };
 
 }  // namespace ctpbench
