@@ -20,6 +20,7 @@
 #include "report/meta.h"
 #include "report/pareto.h"
 #include "report/peers.h"
+#include "report/profile.h"
 #include "report/summary.h"
 #include "report/tables.h"
 #include "report/type_tables.h"
@@ -27,6 +28,7 @@
 #include "stability_study.h"
 #include "wavefront/forest.h"
 #include "wavefront/interleaved/intersector.h"
+#include "wavefront/interleaved/profiler.h"
 #include "wavefront/methods.h"
 #include "wavefront/shader.h"
 
@@ -125,6 +127,7 @@ private:
             if (table == "narrowing") write_file(folder_ / "narrowing.csv", narrowing_csv(results_));
             if (table == "types") write_file(folder_ / "types.csv", types_csv(results_));
             if (table == "pareto") write_file(folder_ / "pareto.csv", pareto_csv(config_, results_));
+            if (table == "profile") write_file(folder_ / "profile.csv", profile_csv(results_));
             if (table == "peers") write_file(folder_ / "peers.csv", peers_csv(results_, backend_.threads()));
             if (table == "figure4") write_file(folder_ / "figure4.csv", figure4_csv(config_, results_));
         }
@@ -157,6 +160,7 @@ private:
             if (name == kCudaYardstick) kinds.insert(TreeKind::per_type);
         };
         for (const Contender& c : cells.contenders) need(c.strategy);
+        if (is_among(config_.tables, "profile")) kinds.insert(TreeKind::typed_leaves);
         const bool intersects = std::any_of(cells.contenders.begin(), cells.contenders.end(),
                                             [](const Contender& c) { return !c.renders(); });
         if (intersects) need(config_.reference);
@@ -214,6 +218,7 @@ private:
         if (is_among(config_.tables, "pareto")) input.examined = forest.mixed.get();
         input.compares = is_among(config_.tables, "peers");
         if (!intersecting.empty()) record_frame(context_, input);
+        if (is_among(config_.tables, "profile")) profile(input);
         input.cuda = cuda_workload(context_, input, cells.contenders);
         if (!intersecting.empty()) run_intersect_contest(context_, input, intersecting);
         if (rendering.empty()) return;
@@ -221,6 +226,17 @@ private:
             run_convergence(context_, input, rendering);
         else
             run_frame_contest(context_, input, rendering);
+    }
+
+    void profile(ContestInput& input) {
+        progress_.step("profiling rays in flight", kTrees);
+        const FlightProfiler profiler(backend_, input.scenes.layout(kTypesOfScene), options_.isa);
+        for (Batch& batch : input.batches) {
+            stop_if_interrupted();
+            profiler.trace(batch);  // warms up
+            results_.profiles.push_back(
+                {input.workload, batch.bounce, batch.rays.size(), options_.isa, profiler.trace(batch)});
+        }
     }
 
     const Config& config_;

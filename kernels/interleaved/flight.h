@@ -12,6 +12,7 @@
 #include "../simd/float8.h"
 #include "leaves.h"
 #include "packet.h"
+#include "profile.h"
 
 namespace ctpbench {
 
@@ -29,27 +30,36 @@ inline constexpr std::uint32_t kManyAtNodes = kInFlight / 2;
 // Rays at most that one call traces.
 inline constexpr std::uint32_t kMaxChunk = 4 * kSegment;
 
-template <class Isa, class Methods, class Leaves>
+template <class Isa, class Methods, class Leaves, class Meter = NoMeter>
 class Flight {
     using Blocks = typename Leaves::Blocks;
 
 public:
-    Flight(const WideView& tree, const IntersectBuffers& io, PassKind pass)
-        : tree_(tree), io_(io), pass_(pass), stride_(stack_stride(tree.stack)) {}
+    Flight(const WideView& tree, const IntersectBuffers& io, PassKind pass, Meter meter = {})
+        : tree_(tree), io_(io), pass_(pass), stride_(stack_stride(tree.stack)), meter_(meter) {}
 
     // Traces the active rays at the positions from begin on to end; or, where the index has segments, those
     // of these segments. First packets of neighbours that are alike, then the others in flight.
     void trace(std::uint32_t begin, std::uint32_t end) {
-        for_each_range(begin, end, [&](std::uint32_t b, std::uint32_t e) { trace_packets(b, e); });
+        meter_.start();
+        std::uint32_t rays = 0;
+        for_each_range(begin, end, [&](std::uint32_t b, std::uint32_t e) {
+            rays += e - b;
+            trace_packets(b, e);
+        });
+        meter_.lap(FlightPhase::packets, rays - left_);
         std::uint32_t active = 0;
         for (std::uint32_t r = 0; r < kInFlight && next_ < left_; ++r, ++active) start(r);
         while (active > 0) {
             do {
-                step_through_nodes();
+                meter_.lap(FlightPhase::nodes, step_through_nodes());
             } while (counts_[kInner] > kManyAtNodes);
-            test_blocks(std::make_integer_sequence<std::uint32_t, Leaves::kLists>{});
-            clear_stacks();
+            meter_.lap(FlightPhase::blocks,
+                       test_blocks(std::make_integer_sequence<std::uint32_t, Leaves::kLists>{}));
+            meter_.lap(FlightPhase::stacks, clear_stacks());
+            const std::uint32_t ended = counts_[kDone];
             active -= end_rays();
+            meter_.lap(FlightPhase::ends, ended);
         }
         if (io_.keys.keys == nullptr && io_.keys.queues.slots == nullptr) return;
         // Rays end in any order; the next stage is told of them in theirs.
@@ -142,7 +152,8 @@ private:
             return at(first_planes[axis] ^ kOtherPlane);
         }
     };
-    void step_through_nodes() {
+    // Each of these phases returns for how many rays it was.
+    std::uint32_t step_through_nodes() {
         List list;
         const std::uint32_t n = take(kInner, list);
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -159,14 +170,15 @@ private:
             ray.top = top;
             go_to(r, words_[top]);
         }
+        return n;
     }
 
     template <std::uint32_t... lists>
-    CTP_INLINE void test_blocks(std::integer_sequence<std::uint32_t, lists...>) {
-        (test_blocks_of<lists>(), ...);
+    CTP_INLINE std::uint32_t test_blocks(std::integer_sequence<std::uint32_t, lists...>) {
+        return (test_blocks_of<lists>() + ...);
     }
     template <std::uint32_t leaf_list>
-    void test_blocks_of() {
+    std::uint32_t test_blocks_of() {
         List list;
         const std::uint32_t n = take(kFirstLeaf + leaf_list, list);
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -188,6 +200,7 @@ private:
             prefetch(at), prefetch(at + 64), prefetch(at + 128), prefetch(at + 192);
             append(choose(hit32, kHit, list_of(next)), r);
         }
+        return n;
     }
     // The leaf's next block.
     CTP_INLINE static std::uint32_t after(std::uint32_t word) {
@@ -195,7 +208,7 @@ private:
     }
 
     // What lies beyond a hit leaves the stack at once, so that whatever is taken from it need not be asked.
-    void clear_stacks() {
+    std::uint32_t clear_stacks() {
         List list;
         const std::uint32_t n = take(kHit, list);
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -208,6 +221,7 @@ private:
             ray.top = top - !stays;
             go_to(r, stays ? after(ray.word) : words_[top - 1]);
         }
+        return n;
     }
 
     // Returns how many rays have ended without another one to follow.
@@ -307,6 +321,7 @@ private:
     const IntersectBuffers io_;
     const PassKind pass_;
     const std::uint32_t stride_;
+    Meter meter_;
     std::uint32_t next_ = 0, left_ = 0;  // of positions_: the rays to come
     std::uint32_t counts_[kLists] = {};
     List lists_[kLists];

@@ -29,6 +29,9 @@ public:
     bool frames() const {
         return any([](const Contender& c) { return c.renders(); });
     }
+    bool rays_in_flight() const {
+        return any([](const Contender& c) { return !c.renders() && c.traversal == "interleaved"; });
+    }
     bool types(const char* types) const {
         return any([&](const Contender& c) { return c.types == types; });
     }
@@ -58,6 +61,8 @@ std::string lack(const std::string& table, const Measured& measured, const Known
     if (table == "peers" && !measured.strategy("embree_default"))
         return "compares with rtcIntersect1 on the CPU; name \"embree_default\" and others in "
                "/matrix/strategy";
+    if (table == "profile" && !measured.rays_in_flight())
+        return "profiles rays in flight; name \"interleaved\" in /matrix/traversal";
     return {};
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/cells.h"
+#include "kernels/interleaved/profile.h"
 #include "measure/bounded_value.h"
 #include "measure/exam.h"
 #include "scene/columns.h"
@@ -121,8 +122,18 @@ struct SceneResult {
     double sphere_hit_share = 0.0;  // of the rays that hit anything, over all bounces
 };
 
+// What rays in flight do with the rays of one bounce.
+struct ProfileResult {
+    Workload workload;
+    std::uint32_t bounce = 0;
+    std::uint64_t rays = 0;
+    std::string isa;
+    FlightProfile profile;
+};
+
 struct Results {
     std::vector<CellResult> cells;
+    std::vector<ProfileResult> profiles;
     std::vector<TreeResult> trees;
     std::vector<SceneResult> scenes;
     std::vector<std::string> notices;

@@ -24,6 +24,22 @@ TraceInFlight InterleavedCode<Isa>::trace(LeafKind leaves, std::uint32_t types) 
     return found;
 }
 
+template <class Isa, class Leaves>
+void profile_in_flight(const WideView& tree, const IntersectBuffers& io, std::uint32_t begin,
+                       std::uint32_t end, FlightProfile& profile) {
+    Flight<Isa, Watertight, Leaves, CycleMeter>(tree, io, PassKind::only, CycleMeter(profile))
+        .trace(begin, end);
+}
+
+template <class Isa>
+ProfileInFlight InterleavedCode<Isa>::profile(std::uint32_t types) {
+    ProfileInFlight found = nullptr;
+    visit_filtered<Primitives<Watertight>>(types, [&](auto list) {
+        found = profile_in_flight<Isa, TypedBlocks<BlocksOf<typename decltype(list)::type>, true>>;
+    });
+    return found;
+}
+
 template <class Isa>
 void* InterleavedCode<Isa>::construct(std::uint32_t types, std::uint32_t position, const void* block,
                                       void* memory) {
