@@ -112,7 +112,7 @@ private:
         std::uint32_t first_planes[3];
         std::uint32_t slot;
     };
-    struct List {
+    struct alignas(64) List {
         std::uint8_t rays[kInFlight];
     };
 
@@ -129,11 +129,12 @@ private:
         counts_[list] = 0;
         return n;
     }
-    CTP_INLINE void go_to(std::uint32_t r, std::uint32_t word) {
+    CTP_INLINE void go_to(std::uint32_t r, std::uint32_t word) { go_to(r, word, list_of(word)); }
+    CTP_INLINE void go_to(std::uint32_t r, std::uint32_t word, std::uint32_t list) {
         rays_[r].word = word;
         const std::byte* at = tree_.bytes + offset_of_word(word);
         prefetch(at), prefetch(at + 64), prefetch(at + 128), prefetch(at + 192);
-        append(list_of(word), r);
+        append(list, r);
     }
 
     struct PlanesOfNode {
@@ -195,10 +196,7 @@ private:
             const std::uint32_t last = -std::uint32_t{more_blocks(word) == 0};
             ray.top += last & ~hit32;
             const std::uint32_t next = choose(hit32, word, choose(last, words_[ray.top], after(word)));
-            ray.word = next;
-            const std::byte* at = tree_.bytes + offset_of_word(next);
-            prefetch(at), prefetch(at + 64), prefetch(at + 128), prefetch(at + 192);
-            append(choose(hit32, kHit, list_of(next)), r);
+            go_to(r, next, choose(hit32, kHit, list_of(next)));
         }
         return n;
     }
@@ -321,7 +319,7 @@ private:
     const IntersectBuffers io_;
     const PassKind pass_;
     const std::uint32_t stride_;
-    Meter meter_;
+    [[no_unique_address]] Meter meter_;
     std::uint32_t next_ = 0, left_ = 0;  // of positions_: the rays to come
     std::uint32_t counts_[kLists] = {};
     List lists_[kLists];

@@ -3,9 +3,8 @@
 //
 // A kind of leaves has:
 //   kLists                   how many lists of rays at leaves there are: a list is a loop of its own
-//   list_of(kind)            in which list a ray waits that has come to this kind of place: there are those
-//   of
-//                            nodes, ends and hits too, with the numbers of their kinds
+//   list_of(kind)            in which list a ray waits that has come to this kind of place; nodes, ends
+//                            and hits have lists too, with the numbers of their kinds
 //   test<Isa, list>(...)     the nearest hit of the block that a word names
 //   stride(word)             from that block to the next one of the leaf, in bytes
 //   resolve(...)             all that there is to know of a hit, once the ray has ended

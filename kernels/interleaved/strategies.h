@@ -33,47 +33,23 @@ using LeafKinds = TypeList<TypedBlocks<BlocksOf<Types>, true>, TypedBlocks<Block
                            SumBlocks<Types, Variant, VisitVariant>,
                            SumBlocks<Types, std::variant, VisitStdVariant>, VirtualBlocks<BlocksOf<Types>>>;
 
-// Who has them: the strategies of single rays, with blocks for primitives, and one that needs many rays.
-struct WideCtp {
-    static constexpr const char* name = "ctp";
-    static constexpr TreeKind tree = TreeKind::mixed;
-    static constexpr LeafKind leaves = LeafKind::variant;
+// Who has them: the strategies of single rays, with blocks for primitives, and one that needs many rays:
+// typed_phases works off together what is at leaves of one type, with no branch on type but that between
+// loops.
+struct InterleavedStrategy {
+    const char* name;
+    TreeKind tree;
+    LeafKind leaves;
+    bool objects_together = false;  // in the order of leaves; else each is allocated by itself
 };
-struct WideStdVariant {
-    static constexpr const char* name = "std_variant";
-    static constexpr TreeKind tree = TreeKind::mixed;
-    static constexpr LeafKind leaves = LeafKind::std_variant;
+inline constexpr InterleavedStrategy kInterleavedStrategies[] = {
+    {"ctp", TreeKind::mixed, LeafKind::variant},
+    {"std_variant", TreeKind::mixed, LeafKind::std_variant},
+    {"oop", TreeKind::mixed, LeafKind::objects},
+    {"oop_arena", TreeKind::mixed, LeafKind::objects, true},
+    {"restart", TreeKind::per_type, LeafKind::typed_phases},
+    {"typed_leaves", TreeKind::typed_leaves, LeafKind::typed},
+    {"typed_phases", TreeKind::typed_leaves, LeafKind::typed_phases},
 };
-// Objects are allocated one by one.
-struct WideOop {
-    static constexpr const char* name = "oop";
-    static constexpr TreeKind tree = TreeKind::mixed;
-    static constexpr LeafKind leaves = LeafKind::objects;
-};
-// Objects lie together, in the order of leaves.
-struct WideOopArena {
-    static constexpr const char* name = "oop_arena";
-    static constexpr TreeKind tree = TreeKind::mixed;
-    static constexpr LeafKind leaves = LeafKind::objects;
-};
-// A tree and a pass for each type.
-struct WideRestart {
-    static constexpr const char* name = "restart";
-    static constexpr TreeKind tree = TreeKind::per_type;
-    static constexpr LeafKind leaves = LeafKind::typed_phases;
-};
-struct WideTypedLeaves {
-    static constexpr const char* name = "typed_leaves";
-    static constexpr TreeKind tree = TreeKind::typed_leaves;
-    static constexpr LeafKind leaves = LeafKind::typed;
-};
-// Rays that are at leaves of one type are worked off together: no branch on type but that between the loops.
-struct WideTypedPhases {
-    static constexpr const char* name = "typed_phases";
-    static constexpr TreeKind tree = TreeKind::typed_leaves;
-    static constexpr LeafKind leaves = LeafKind::typed_phases;
-};
-using InterleavedStrategies =
-    TypeList<WideCtp, WideStdVariant, WideOop, WideOopArena, WideRestart, WideTypedLeaves, WideTypedPhases>;
 
 }  // namespace ctpbench

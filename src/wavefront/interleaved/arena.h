@@ -1,8 +1,8 @@
 // The 8-wide tree as it lies in memory: depth first, each node followed by what its leaves hold.
 #pragma once
 
-#include <cstring>
 #include <string>
+#include <vector>
 
 #include "accel/parallel.h"
 #include "accel/wide_tree.h"

@@ -62,15 +62,15 @@ public:
 
     // Adds a pass, unless there is nothing in its tree.
     template <class Types>
-    void add(LeafKind kind, const TreeView& tree, bool single_type_leaves, bool objects_together) {
+    void add(const InterleavedStrategy& strategy, const TreeView& tree) {
         if (tree.ref_count == 0) return;
-        visit_type<LeafKinds<Types>>(static_cast<std::uint32_t>(kind), [&](auto tag) {
+        visit_type<LeafKinds<Types>>(static_cast<std::uint32_t>(strategy.leaves), [&](auto tag) {
             using Leaves = typename decltype(tag)::type;
             if constexpr (std::is_same_v<Leaves, VirtualBlocks<BlocksOf<Types>>>)
-                lay_out<Types>(kind, tree, single_type_leaves,
-                               LeafWriter<Leaves, Types>(code_.construct, objects_together));
+                lay_out<Types>(strategy, tree,
+                               LeafWriter<Leaves, Types>(code_.construct, strategy.objects_together));
             else
-                lay_out<Types>(kind, tree, single_type_leaves, LeafWriter<Leaves, Types>());
+                lay_out<Types>(strategy, tree, LeafWriter<Leaves, Types>());
         });
     }
 
@@ -89,17 +89,17 @@ public:
 
 private:
     template <class Types, class Writer>
-    void lay_out(LeafKind kind, const TreeView& tree, bool single_type_leaves, Writer&& writer) {
+    void lay_out(const InterleavedStrategy& strategy, const TreeView& tree, Writer&& writer) {
         struct Memory {
             std::remove_cvref_t<Writer> writer;  // objects are its own
             Arena<Types, std::remove_cvref_t<Writer>> arena;
         };
         CollapseCosts costs;
-        costs.single_type_leaves = single_type_leaves;
+        costs.single_type_leaves = strategy.tree != TreeKind::mixed;
         backend_.execute([&] {
             auto memory = std::make_shared<Memory>(Memory{std::move(writer), {}});
             memory->arena.build(collapse(tree, costs), tree, geometry_, memory->writer);
-            passes_.push_back({memory->arena.view(), code_.trace(kind, mask_of<Types>)});
+            passes_.push_back({memory->arena.view(), code_.trace(strategy.leaves, mask_of<Types>)});
             bytes_ += memory->arena.bytes() + memory->writer.object_bytes();
             memory_.push_back(std::move(memory));
         });
@@ -117,10 +117,7 @@ private:
 
 std::vector<StrategyInfo> interleaved_strategies() {
     std::vector<StrategyInfo> all;
-    for_each_type(InterleavedStrategies{}, [&](auto tag) {
-        using Strategy = typename decltype(tag)::type;
-        all.push_back({Strategy::name, Strategy::tree});
-    });
+    for (const InterleavedStrategy& s : kInterleavedStrategies) all.push_back({s.name, s.tree});
     return all;
 }
 
@@ -146,29 +143,21 @@ std::string interleaved_obstacle(const std::string& methods, const std::string& 
 std::unique_ptr<Intersector> make_interleaved(CpuBackend& backend, std::string_view strategy,
                                               const LayoutInput& input, const std::string& isa) {
     auto made = std::make_unique<InterleavedIntersector>(backend, input.geometry, code_of(isa));
-    bool found = false;
-    const auto add_passes = [&](auto strategy_tag, auto list) {
-        using Strategy = typename decltype(strategy_tag)::type;
+    const auto* known = std::find_if(std::begin(kInterleavedStrategies), std::end(kInterleavedStrategies),
+                                     [&](const InterleavedStrategy& s) { return s.name == strategy; });
+    if (known == std::end(kInterleavedStrategies)) trap();
+    visit_filtered<Primitives<Watertight>>(input.types, [&](auto list) {
         using Types = typename decltype(list)::type;
-        found = true;
-        const bool together = std::is_same_v<Strategy, WideOopArena>;
-        if constexpr (Strategy::tree == TreeKind::per_type)
+        if (known->tree == TreeKind::mixed)
+            made->template add<Types>(*known, input.mixed);
+        else if (known->tree == TreeKind::typed_leaves)
+            made->template add<Types>(*known, input.typed_leaves);
+        else
             for_each_type(Types{}, [&](auto tag) {
                 using T = typename decltype(tag)::type;
-                made->template add<TypeList<T>>(Strategy::leaves, input.per_type.at(primitive_tag<T>), true,
-                                                together);
+                made->template add<TypeList<T>>(*known, input.per_type.at(primitive_tag<T>));
             });
-        else if constexpr (Strategy::tree == TreeKind::typed_leaves)
-            made->template add<Types>(Strategy::leaves, input.typed_leaves, true, together);
-        else
-            made->template add<Types>(Strategy::leaves, input.mixed, false, together);
-    };
-    visit_filtered<Primitives<Watertight>>(input.types, [&](auto list) {
-        for_each_type(InterleavedStrategies{}, [&](auto tag) {
-            if (strategy == decltype(tag)::type::name) add_passes(tag, list);
-        });
     });
-    if (!found) trap();
     return made;
 }
 
