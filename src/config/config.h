@@ -98,7 +98,7 @@ struct KnownNames {
     std::vector<std::string> frame_tables = {"table1", "figure4"};  // need rendered frames
     std::vector<std::string> failure_tables = {"pareto"};           // intersect, and failures beside it
     std::vector<std::string> type_tables = {"narrowing", "types"};  // either
-    std::vector<std::string> peer_tables = {"peers", "profile"};    // intersect; if asked for
+    std::vector<std::string> peer_tables = {"peers", "growth", "profile"};  // intersect; if asked for
 
     const Yardstick* yardstick(const std::string& name) const;  // null: there is none of this name
     std::vector<std::string> all_strategies() const;

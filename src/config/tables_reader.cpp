@@ -61,6 +61,7 @@ std::string lack(const std::string& table, const Measured& measured, const Known
     if (table == "peers" && !measured.strategy("embree_default"))
         return "compares with rtcIntersect1 on the CPU; name \"embree_default\" and others in "
                "/matrix/strategy";
+    if (table == "growth" && !measured.rays()) return kRaysRemedy;
     if (table == "profile" && !measured.rays_in_flight())
         return "profiles rays in flight; name \"interleaved\" in /matrix/traversal";
     return {};

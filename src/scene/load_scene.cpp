@@ -125,8 +125,9 @@ void add_mesh(Scene& scene, const SceneFile& file, const FoundMesh& found, Notic
 
 void add_recipe(Scene& scene, const SceneFile& file) {
     scene.source = SceneSource::stand_in;
-    find_recipe(file.recipe->name)->build(scene.mesh, scene.materials, file.recipe->seed);
-    for (Vec3& position : scene.mesh.positions) position = position + file.recipe->origin;
+    const RecipeChoice& choice = *file.recipe;
+    find_recipe(choice.name)->build(scene.mesh, scene.materials, choice.seed, choice.triangles);
+    for (Vec3& position : scene.mesh.positions) position = position + choice.origin;
     scene.camera = file.camera ? *file.camera : framing_camera(scene_bounds(scene));
     apply_overrides(file.overrides, scene.materials);
 }

@@ -51,6 +51,13 @@ void read_geometry(const JsonObject& root, const JsonDocument& document, SceneFi
     json.require("name", scene.recipe->name, names);
     json.get("seed", scene.recipe->seed);
     json.get("origin", scene.recipe->origin);
+    const Recipe* recipe = find_recipe(scene.recipe->name);
+    if (recipe == nullptr) return;  // said above
+    scene.recipe->triangles = recipe->triangles;
+    if (recipe->least < recipe->triangles)
+        json.get("triangles", scene.recipe->triangles, range(recipe->least, kMostTriangles));
+    else if (json.has("triangles"))
+        json.error("triangles", scene.recipe->name + " comes in one size; leave this out");
 }
 
 void read_spheres(const JsonObject& json, SphereSettings& spheres) {

@@ -16,8 +16,9 @@
 //
 // "mesh" may be a list of editions, each with a "camera" of its own if its coordinates differ and with
 // "overrides" of its own, which come after the file's; and "file" a list of places. The first that is there
-// is used. "recipe": {"name": "...", "seed": 1, "origin": [0, 0, 0]} stands in place of "mesh". The spheres
-// are mirrors: `count` of them are scattered, those "placed" are there whatever the count.
+// is used. "recipe": {"name": "...", "seed": 1, "origin": [0, 0, 0]} stands in place of "mesh", with
+// "triangles" if the recipe comes in more than one size. The spheres are mirrors: `count` of them are
+// scattered, those "placed" are there whatever the count.
 #pragma once
 
 #include <cstdint>
@@ -42,6 +43,7 @@ struct MeshEdition {
 struct RecipeChoice {
     std::string name;
     std::uint64_t seed = 1;
+    std::uint64_t triangles = 0;
     Vec3 origin{0.0f, 0.0f, 0.0f};  // where the recipe's zero lies; not the camera's or the placed spheres'
 };
 

@@ -112,7 +112,7 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         "\"embree_stream_coherent\", \"embree_stream_coherent_robust\", \"sort\", \"sort_restored\", "
         "\"queues\"\n"
         "t.json:6:42: error: /tables/1: unknown table \"table9\"; did you mean \"table2\"? choices: "
-        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\", \"narrowing\", \"types\", \"peers\", "
+        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\", \"narrowing\", \"types\", \"peers\", \"growth\", "
         "\"profile\"\n"
         "t.json:6:52: error: /tables/2: is here twice; remove one of the two");
 }
@@ -349,6 +349,7 @@ TEST(Config, ShippedConfigsHaveTheirCells) {
     EXPECT_EQ(cells("types.json"), 19u * (6 + 7));
     EXPECT_EQ(cells("peers.json"), 3u * (2 + 10) * 2);  // scenes, ours and Embree's, threads
     EXPECT_EQ(cells("profile.json"), 3u * 2);
+    EXPECT_EQ(cells("growth.json"), 4u * (2 + 2));
     EXPECT_EQ(cells("figure1.json"), 2u);
     EXPECT_EQ(cells("figure3.json"), 2u);
 }

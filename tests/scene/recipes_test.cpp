@@ -27,7 +27,7 @@ struct Built {
 
 Built build(const Recipe& recipe, std::uint64_t seed) {
     Built built;
-    recipe.build(built.mesh, built.materials, seed);
+    recipe.build(built.mesh, built.materials, seed, recipe.triangles);
     return built;
 }
 
@@ -191,6 +191,26 @@ TEST_P(Recipes, BoundsHugTheRoom) {
 
 INSTANTIATE_TEST_SUITE_P(All, Recipes, ::testing::ValuesIn(recipes().begin(), recipes().end()),
                          [](const auto& info) { return std::string(info.param.name); });
+
+// What lets the cost of a ray be set against the number of triangles: nothing else changes.
+TEST(Grove, HasTheSameSurfacesAtEverySize) {
+    const Recipe& recipe = *find_recipe("grove");
+    const auto of_size = [&](std::size_t triangles) {
+        Mesh mesh;
+        std::vector<Material> materials;
+        recipe.build(mesh, materials, 1, triangles);
+        EXPECT_EQ(mesh.triangles.size(), triangles);
+        std::vector<double> areas(materials.size());
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+            const TriangleShape t = mesh.triangle(i);
+            areas[mesh.material[i]] += length(cross(t.b - t.a, t.c - t.a)) / 2;
+        }
+        return areas;
+    };
+    const auto small = of_size(recipe.least), large = of_size(1'000'003);
+    ASSERT_EQ(small.size(), large.size());
+    for (std::size_t m = 0; m < small.size(); ++m) EXPECT_NEAR(small[m] / large[m], 1.0, 0.1) << m;
+}
 
 TEST(RecipeList, FindsByName) {
     ASSERT_NE(find_recipe("smoke"), nullptr);

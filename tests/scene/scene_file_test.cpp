@@ -67,6 +67,11 @@ TEST_F(SceneFileTest, ReadsARecipe) {
     ASSERT_TRUE(file.recipe.has_value());
     EXPECT_EQ(file.recipe->name, "smoke");
     EXPECT_EQ(file.recipe->seed, 3u);
+    EXPECT_EQ(parse(R"({"schema_version": 1, "name": "a", "recipe": {"name": "grove"}})").recipe->triangles,
+              100'000u);
+    EXPECT_EQ(parse(R"({"schema_version": 1, "name": "a", "recipe": {"name": "grove", "triangles": 12345}})")
+                  .recipe->triangles,
+              12'345u);
     EXPECT_FALSE(file.camera.has_value());
 }
 
@@ -111,6 +116,10 @@ TEST_F(SceneFileTest, RefusesAnIncompleteScene) {
                  "needs a \"file\"");
     EXPECT_ERROR(parse(R"({"schema_version": 1, "name": "a", "mesh": []})"), ExitCode::usage,
                  "needs a \"file\"");
+    EXPECT_ERROR(parse(R"({"schema_version": 1, "name": "a", "recipe": {"name": "smoke", "triangles": 9}})"),
+                 ExitCode::usage, "smoke comes in one size");
+    EXPECT_ERROR(parse(R"({"schema_version": 1, "name": "a", "recipe": {"name": "grove", "triangles": 9}})"),
+                 ExitCode::usage, "10000");
     EXPECT_ERROR(parse(R"({"schema_version": 1, "name": "a", "recipe": {"name": "smok"}})"), ExitCode::usage,
                  "smoke");
     EXPECT_ERROR(parse(""), ExitCode::usage, "a.json");

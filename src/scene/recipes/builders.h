@@ -1,4 +1,5 @@
-// The build function of every recipe, each in the file of its name, and its exact triangle count.
+// The build function of every recipe, each in the file of its name, and the exact triangle count of those
+// that come in one size.
 #pragma once
 
 #include <cstddef>
@@ -18,5 +19,6 @@ void build_conference_like(Mesh& mesh, std::vector<Material>& materials, std::ui
 void build_sponza_like(Mesh& mesh, std::vector<Material>& materials, std::uint64_t seed);
 void build_san_miguel_like(Mesh& mesh, std::vector<Material>& materials, std::uint64_t seed);
 void build_smoke(Mesh& mesh, std::vector<Material>& materials, std::uint64_t seed);
+void build_grove(Mesh& mesh, std::vector<Material>& materials, std::uint64_t seed, std::size_t triangles);
 
 }  // namespace ctpbench::recipe
