@@ -13,6 +13,8 @@
 #include "stress/registry.h"
 #include "support.h"
 #include "wavefront/cpu_tracer.h"
+#include "wavefront/interleaved/intersector.h"
+#include "wavefront/interleaved/isa.h"
 
 namespace ctpbench {
 namespace {
@@ -66,6 +68,25 @@ TEST(Stability, TheDefaultNeverFails) {
         EXPECT_EQ(accuracy.failures(), 0u) << workload << ": " << accuracy.verdict.text();
         EXPECT_EQ(accuracy.verdict.reference_wrong, 0u) << workload;
         EXPECT_FALSE(accuracy.p99_scaled_error > 4.0) << workload;
+    }
+}
+
+// All that is said of the default methods holds for rays in flight too: their hits are the same, bit for bit.
+TEST(Stability, RaysInFlightHitTheSame) {
+    for (const StressInfo& info : stress_workloads()) {
+        StressBed bed(backend(), make_stress(info.name, 9));
+        Batch batch = bed.workload().of_offsets()
+                          ? DepartureExam(backend(), bed.judge(), bed.exact(), bed.workload(), 8000, [] {})
+                                .batch(offset_policy("waechter_binder"))
+                          : stress_batch(backend(), 8000, bed.workload().ray);
+        const auto hash_of = [&](const std::unique_ptr<Intersector>& intersector) {
+            return CpuTracer(backend(), *intersector, bed.view().geometry().extent).trace(batch, true).hash;
+        };
+        const std::uint64_t expected = hash_of(make_intersector("ctp", "watertight", bed.layout()));
+        for (const std::string& isa : usable_isas())
+            for (const StrategyInfo& s : interleaved_strategies())
+                EXPECT_EQ(hash_of(make_interleaved(backend(), s.name, bed.layout(), isa)), expected)
+                    << info.name << ", " << s.name << ", " << isa;
     }
 }
 
