@@ -8,18 +8,24 @@ class InputError(Exception):
     """A file of the run is not there or is not what it should be."""
 
 
+class OlderFormat(InputError):
+    """A file is whole but lacks columns, as one that an older program wrote."""
+
+
 def read_rows(path, needed):
     """The lines of a CSV file as dictionaries, each with its "line"."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
-            reader = csv.DictReader(file, restval="")
+            reader = csv.DictReader(file)
             missing = [name for name in needed if name not in (reader.fieldnames or [])]
             if missing:
-                raise InputError(f"{path}: no column {', '.join(missing)}; run the experiment again to write it")
+                kind = OlderFormat if reader.fieldnames else InputError
+                raise kind(f"{path}: no column {', '.join(missing)}; run the experiment again to write it")
             rows = [dict(row, line=reader.line_num) for row in reader]
             for row in rows:
-                if None in row:
-                    raise InputError(f"{path}:{row['line']}: more fields than columns; run the experiment again")
+                if None in row or None in row.values():
+                    fault = "more" if None in row else "fewer"
+                    raise InputError(f"{path}:{row['line']}: {fault} fields than columns; run the experiment again")
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{path}: cannot be read: {error}") from None
     if not rows:
