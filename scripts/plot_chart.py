@@ -11,7 +11,7 @@ from plot_inputs import count, number, scene_title
 # Okabe and Ito's colours, with grey and white for their black, told apart by eyes of every kind; the hatch (of
 # bars) and the marker (of points) tell them apart in print.
 COLOURS = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#999999", "#FFFFFF"]
-HATCHES = ["", "///", "...", "xxx", "\\\\\\", "---", "ooo", "|||", "+++"]
+HATCHES = ["", "///", "..", "xxx", "\\\\\\", "---", "oo", "|||", "+++"]  # circles are most of an SVG's bytes
 # Of lines and points on white, where neither yellow nor white would do; the last is Tol's wine, dark beside all
 # but black.
 LINE_COLOURS = [*COLOURS[:6], "#000000", "#999999", "#882255"]
