@@ -55,7 +55,7 @@ def faults_of_pictures(page):
         title, read = (by_id.get(svg.get(key)) for key in REFERRING)
         if svg.get("role") != "img" or title is None or not words(title) or read is None or not words(read):
             yield f"a chart without a role, a name or a description: {svg.get('aria-labelledby')}"
-        if any(svg.iter(SVG + "style")):
+        if list(svg.iter(SVG + "style")):
             yield "a chart with a style sheet, which would hold for the whole page"
     for picture in page.iter("img"):
         if not (picture.get("alt") or "").strip():
@@ -63,7 +63,7 @@ def faults_of_pictures(page):
     for picture in [*page.iter("img"), *page.iter(SVG + "svg")]:
         if not all(re.fullmatch("[1-9][0-9]*", picture.get(side) or "") for side in ("width", "height")):
             yield f"a picture without a size: {dict(list(picture.attrib.items())[-4:])}"[:200]
-    if not any(page.iter(SVG + "svg")) and not any(page.iter("table")):
+    if not list(page.iter(SVG + "svg")) and not list(page.iter("table")):
         yield "neither a chart nor a table"
 
 

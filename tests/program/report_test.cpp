@@ -64,13 +64,15 @@ protected:
 };
 
 TEST_F(Report, OfASmokeRunIsShownByABrowser) {
-    const Outcome outcome = run("--quiet --config $C/smoke.json --rounds 2 --out $D/smoke");
+    const Outcome outcome =
+        run("--quiet --config $C/smoke.json --set '/description=\"A & b\"' --rounds 2 --out $D/smoke");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
     make("smoke");
     for (const char* words :
          {"Table 1 of the paper", "Table 2 of the paper", "Table 3 of the paper",
           "Figure 4: accumulated time", "Rounds: 2.", "Stand-ins: smoke.", "the paper has no figures for it",
-          "What the oracle said", "--rounds 2", "How to read this page"})
+          "What the oracle said", "smoke: A &amp; b",
+          "--set &#x27;/description=&quot;A &amp; b&quot;&#x27; --rounds 2", "How to read this page"})
         expect_said(words);
     expect_sound();
     expect_shown_by_browser();
