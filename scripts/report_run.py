@@ -1,28 +1,14 @@
 """One folder that a run left, read and checked before anything of the page is made."""
 
-import json
 import re
 
 from plot_charts import CHARTS
 from plot_inputs import InputError, read_lines
+from report_meta import look_up, read_meta
 
 # Each of these shows something by itself.
 SHOWN = [*CHARTS, "table2.csv", "summary.csv"]
 KNOWN = ["rows.csv", *SHOWN, "trees.csv", "convergence_fits.csv"]
-SCHEMA_VERSION = 1
-
-
-def read_meta(path):
-    try:
-        meta = json.loads(path.read_text(encoding="utf-8"))
-    except json.JSONDecodeError as error:
-        raise InputError(f"{path}:{error.lineno}:{error.colno}: is not JSON: {error.msg}; run the experiment again, or "
-                         "remove the file and do without machine, build and command") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read: {error}") from None
-    if not isinstance(meta, dict):
-        raise InputError(f"{path}:1: is not a JSON object; run the experiment again, or remove the file")
-    return meta
 
 
 class Run:
@@ -42,10 +28,7 @@ class Run:
 
     def of(self, *names):
         """What meta.json holds there, or None: older programs wrote less."""
-        value = self.meta
-        for name in names:
-            value = value.get(name) if isinstance(value, dict) else None
-        return value
+        return look_up(self.meta, names)
 
     @property
     def title(self):
@@ -62,6 +45,6 @@ class Run:
         """Those of meta.json, each once."""
         found = {}
         for scene in self.of("scenes") or []:
-            if isinstance(scene, dict) and "name" in scene:
-                found.setdefault((scene["name"], scene.get("spheres", 0)), scene)
+            if scene.get("name") is not None:
+                found.setdefault((scene["name"], scene.get("spheres")), scene)
         return list(found.values())

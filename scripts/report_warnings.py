@@ -1,6 +1,6 @@
 """What a reader must know before believing a run: what was rejected, left out, stood in for, or cut short."""
 
-from report_run import SCHEMA_VERSION
+from report_meta import SCHEMA_VERSION
 
 FEWEST_ROUNDS = 9  # below, an interval from a bootstrap is narrower than it should be
 WARNING, NOTE = "Warning", "Note"
@@ -47,7 +47,7 @@ def of_scenes(run):
 
 
 def of_contenders(run):
-    notices = [notice for notice in run.of("notices") or [] if isinstance(notice, str)]
+    notices = [str(notice) for notice in run.of("notices") or []]
     rejected = [notice for notice in notices if ": rejected: " in notice]
     for notice in rejected:
         yield WARNING, f"Left out of every table and chart: {notice}"

@@ -158,7 +158,7 @@ TEST_F(Report, DrawsWhatItCanOfOlderRuns) {
 
 // All that is wrong with any of the folders is said at once, and no page is made.
 TEST_F(Report, RefusesWhatIsNoRunOrDamaged) {
-    for (const char* name : {"empty", "short", "cut", "long", "cut_meta", "other_meta"})
+    for (const char* name : {"empty", "short", "cut", "long", "cut_meta", "other_meta", "odd_meta"})
         std::filesystem::create_directories(folder_ / name);
     write("short/rows.csv", "run_id,scene\nx,room\nx\n");
     write("cut/rows.csv", "run_id,scene\nx,room\nx,ro");
@@ -167,13 +167,16 @@ TEST_F(Report, RefusesWhatIsNoRunOrDamaged) {
     write("cut_meta/meta.json", "{\n\"state\": ");
     write("other_meta/rows.csv", "run_id,scene\nx,room\n");
     write("other_meta/meta.json", "[]");
-    const Outcome outcome = report("nowhere empty short cut long cut_meta other_meta");
+    write("odd_meta/rows.csv", "run_id,scene\nx,room\n");
+    write("odd_meta/meta.json", R"({"notices": "none", "scenes": [{"name": 3}], "machine": []})");
+    const Outcome outcome = report("nowhere empty short cut long cut_meta other_meta odd_meta");
     for (const char* reason :
          {"nowhere: no such folder; name the folder that a run left",
           "empty: holds neither rows.csv nor figure4.csv", "short/rows.csv:3: fewer fields than columns",
           "cut/rows.csv:3: the file ends within this line; run the experiment again",
           "long/rows.csv:2: more fields than columns", "cut_meta/meta.json:2:10: is not JSON",
-          "other_meta/meta.json:1: is not a JSON object"})
+          "other_meta/meta.json: is not a JSON object",
+          "odd_meta/meta.json: /notices is not a list; /scenes/0/name is not a string; run"})
         expect_refusal(outcome, std::string("report: error: ") + reason);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "report.html"));
 }
