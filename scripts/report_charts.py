@@ -18,26 +18,6 @@ from report_html import Html, join, more, tag
 FONTS = "'DejaVu Sans', Verdana, Arial, sans-serif"
 LEAST_SCALE = 0.7  # smaller, letters of 8 points could not be read; then the chart scrolls
 
-HOW_TO_READ = {
-    "figure4": "Seconds of all bounces of a frame, stacked by kernel; shorter is faster. The second figure is shading "
-               "alone, where the strategies differ.",
-    "table1": "Millions of rays a second that each kernel takes; longer is faster. Whiskers are 95 % intervals.",
-    "table3": "Millions of rays a second by the number of spheres among the triangles; taller is faster. Whiskers are "
-              "95 % intervals.",
-    "stability": "Each cell counts how often a method fails on a million rays that were made to break it. Pale blue is "
-                 "no failure.",
-    "pareto": "Above: to the right is faster, down is more accurate; nobody lies below the dashed line. Below: the "
-              "error of the distance where nothing failed.",
-    "convergence": "The error of a picture against the time spent on it, on logarithmic axes. Without bias a curve "
-                   "falls like the dotted line; a dashed line is where it stops.",
-    "narrowing": "Right of the dashed line the kernels for the scene's own types are faster than those for all types.",
-    "types": "Speed by the number of types in the list, relative to ctp with one type; higher is faster.",
-    "peers": "Speed on the same rays relative to Embree's rtcIntersect1 with as many threads; above the dashed line is "
-             "faster.",
-    "profile": "Cycles that a ray takes in each phase of the traversal of many rays at once; shorter is faster.",
-}
-
-
 def without_unused_ids(svg, prefix):
     used = set(re.findall(r'(?:url\(#|href="#)([^")]+)', svg))
 
@@ -62,7 +42,8 @@ def inline_svg(chart, prefix):
     size = dict(re.findall(r'\b(width|height|viewBox)="([^"]*)"', root[0]))
     width, height = (round(float(size[name].removesuffix("pt")) * 4 / 3) for name in ("width", "height"))
     body = svg[root.end():svg.rindex("</svg>")]
-    body = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->|<title>.*?</title>", "", body, flags=re.DOTALL)
+    body = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->|<title>.*?</title>", "", body,
+                  flags=re.DOTALL)
     body = body.replace("xlink:href", "href")
     body = re.sub(r"font: ([^;\"]*?)(?:'[^;\"]*|sans-serif)(?=[;\"])", rf"font: \1{FONTS}", body)
     body = without_unused_ids(shortened(body), prefix)
@@ -81,23 +62,24 @@ def csv_link(name, rows):
     return tag("a", f"{name}.csv", download=f"{name}.csv", href=f"data:text/csv;charset=utf-8;base64,{data}")
 
 
-def figure(chart, prefix):
+def figure(chart, reading, prefix):
     files = {f"{chart.name}_data": chart.data, **chart.tables}
     links = join((csv_link(name, rows) for name, rows in files.items()), ", ")
     words = tag("ul", *(tag("li", said) for said in chart.words if said))
-    card = tag("div", inline_svg(chart, prefix), class_="card scroll", role="group", tabindex="0", aria_label=chart.title)
-    return join([tag("figure", card, tag("figcaption", HOW_TO_READ[chart.name], id=f"{prefix}-read")),
+    card = tag("div", inline_svg(chart, prefix), class_="card scroll", role="group", tabindex="0",
+               aria_label=chart.title)
+    return join([tag("figure", card, tag("figcaption", reading, id=f"{prefix}-read")),
                  more("The same in words", words, tag("p", "All figures: ", links))])
 
 
 def draw_charts(run, warnings):
-    """The charts of the run; what none can be made of becomes a warning."""
+    """(chart, how to read it) of the run; what none can be made of becomes a warning."""
     charts = []
-    for name, draw in CHARTS.items():
+    for name, (draw, reading) in CHARTS.items():
         if name not in run.lines:
             continue
         try:
-            charts.append(draw(run.folder))
+            charts.append((draw(run.folder), reading))
         except CannotDraw as error:
             warnings.append(("Note", f"No chart of {name}: {error}"))
     return charts

@@ -29,7 +29,8 @@ def machine_facts(run):
     return [("Processor", machine("cpu")), ("Cores, threads used", f"{machine('cores')}, {run.of('threads')}"),
             ("Instruction set of the kernels", run.of("isa")),
             ("Vector instructions it has", vector_instructions(machine("isa_flags"))), *gpu_facts(run),
-            ("Memory", gibibytes(machine("memory_bytes"))), ("Most memory used", gibibytes(run.of("peak_memory_bytes"))),
+            ("Memory", gibibytes(machine("memory_bytes"))),
+            ("Most memory used", gibibytes(run.of("peak_memory_bytes"))),
             ("System", machine("system")), ("Frequency governor", machine("governor") or "not known"),
             ("Limit of a control group", machine("cgroup_cpu_max")),
             ("Load when it ended", None if load is None else f"{load:.2f}"),
@@ -50,9 +51,9 @@ def build_facts(run):
 
 
 def scene_table(run):
-    rows = [[str(scene.get(name, "")) for name in ("name", "spheres", "source", "triangles", "dropped_triangles", "hash")]
-            for scene in run.scenes]
-    return plain_table("Scenes", ["scene", "spheres", "source", "triangles", "dropped", "hash"], rows) if rows else ""
+    names = ["name", "spheres", "source", "triangles", "dropped_triangles", "hash"]
+    rows = [[str(scene.get(name, "")) for name in names] for scene in run.scenes]
+    return plain_table("Scenes", ["scene", *(name.replace("_", " ") for name in names[1:])], rows) if rows else ""
 
 
 def environment(run):
@@ -71,7 +72,8 @@ def command(run):
         return tag("p", "Not known: meta.json does not say how the program was run.")
     commit = run.of("build", "git_commit")
     before = f"git checkout {commit}\n" if commit else ""
-    settings = run.of("config")
-    return join([tag("pre", tag("code", before + said)),
-                 tag("p", "If the config file has changed since, the settings below are a config of their own."),
-                 more("Settings in effect", tag("pre", tag("code", json.dumps(settings, indent=2)))) if settings else ""])
+    content, settings = [tag("pre", tag("code", before + said))], run.of("config")
+    if settings:
+        content += [tag("p", "If the config file has changed since, the settings below are a config of their own."),
+                    more("Settings in effect", tag("pre", tag("code", json.dumps(settings, indent=2))))]
+    return join(content)

@@ -48,10 +48,10 @@ def heading(said, **attributes):
 
 def plain_table(caption, header, rows):
     """The first cell of each row names it."""
+    lines = [tag("tr", tag("th", row[0], scope="row"), *(tag("td", cell) for cell in row[1:])) for row in rows]
     return scrolling(tag("table", caption_of(caption),
                          tag("thead", tag("tr", *(heading(name, scope="col") for name in header))),
-                         tag("tbody", *(tag("tr", tag("th", row[0], scope="row"), *(tag("td", cell) for cell in row[1:]))
-                                        for row in rows))), caption)
+                         tag("tbody", *lines)), caption)
 
 
 def facts(caption, pairs):

@@ -4,33 +4,11 @@ from pathlib import Path
 
 from report_charts import draw_charts, figure
 from report_environment import command, environment
+from report_explained import EXPLAINED
 from report_html import Html, join, plain_table, scrolling, tag
 from report_images import gallery
 from report_tables import paper_tables, summary_table
 from report_warnings import WARNING, warnings_of
-
-EXPLAINED = [
-    ("Mrays/s", "Millions of rays that a kernel takes in a second; a median over the rounds. It depends on the machine: "
-                "speeds of two machines say nothing about each other's strategies."),
-    ("Ratio", "Speed of one contender over that of another, of the same round on the same machine: 1.10 is a tenth faster. "
-              "Contenders take turns within a round, so that both meet the same load; the figure is the median of the "
-              "rounds' ratios. Only ratios are set beside the paper's."),
-    ("Interval", "1.10 [1.05, 1.14]: 95 % of intervals that are made in this way (by a bootstrap over the rounds) hold the "
-                 "true median. If it holds 1, the contenders may be equally fast. It covers what changes from round to "
-                 "round, not what changes from machine to machine."),
-    ("The paper", "Zellmann and Lang, C++ Compile Time Polymorphism for Ray Tracing, 2017. It measured on two Xeon E5-2637 "
-                  "v2 with 16 threads together and on a GeForce GTX 1080 Ti, with editions of the meshes of which some are "
-                  "no longer to be had."),
-    ("Stand-in", "A scene made by a recipe with as many triangles as the paper's mesh, for machines that do not have it. It "
-                 "is another scene: nothing of it is set beside the paper's figures."),
-    ("Oracle", "Before a contender is timed its hits are compared with those that Embree finds, and in doubt with exact "
-               "arithmetic. Who is wrong is in no table. A tie is a ray that meets two surfaces at one distance."),
-    ("Yardstick", "A contender that is not ours and is timed in the same rounds: Embree's rtcIntersect1 with its robust "
-                  "flag on a CPU, a fixed kernel for triangles alone on a GPU."),
-    ("relMSE", "The squared error of a picture's pixels relative to their squared value; 0.01 is about a tenth off."),
-    ("n/a", "Not measured, not applicable, or not in the paper."),
-]
-
 
 OF_EVERY_RUN = ["warnings", "environment", "command"]  # not listed where there are several
 
@@ -41,14 +19,16 @@ class Part:
     def __init__(self, run, number):
         self.run, self.id = run, f"run{number}"
         self.warnings = list(warnings_of(run))
-        self.charts = draw_charts(run, self.warnings)
-        self.sections = [("warnings", "Warnings and notes", self._warned()), *paper_tables(run)]
-        for chart in self.charts:
-            self.sections.append((chart.name + "-chart", f"Chart: {chart.title}", figure(chart, f"{self.id}-{chart.name}")))
+        self.sections = list(paper_tables(run))
+        for chart, reading in draw_charts(run, self.warnings):
+            self.sections.append((chart.name + "-chart", f"Chart: {chart.title}",
+                                  figure(chart, reading, f"{self.id}-{chart.name}")))
             chart.close()
-        if len(self.sections) == 1 and run.lines.get("summary.csv"):
+        if not self.sections and run.lines.get("summary.csv"):
             self.sections.append(("summary", "Speeds", summary_table(run)))
-        self.sections += [("environment", "Environment", environment(run)), ("command", "How to run it again", command(run))]
+        self.sections.insert(0, ("warnings", "Warnings and notes", self._warned()))  # charts may have added some
+        self.sections += [("environment", "Environment", environment(run)),
+                          ("command", "How to run it again", command(run))]
 
     def _warned(self):
         if not self.warnings:
@@ -61,9 +41,9 @@ class Part:
         return sum(kind == WARNING for kind, _ in self.warnings)
 
     def html(self):
-        facts = [self.run.when and f"Run on {self.run.when}.",
-                 self.run.of("config", "rounds") and f"Rounds: {self.run.of('config', 'rounds')}.",
-                 f"Measurements in rows.csv: {len(self.run.lines['rows.csv']):,}." if self.run.lines.get("rows.csv") else ""]
+        when, rounds, rows = self.run.when, self.run.of("config", "rounds"), self.run.lines.get("rows.csv")
+        facts = [when and f"Run on {when}.", rounds and f"Rounds: {rounds}.",
+                 rows and f"Measurements in rows.csv: {len(rows):,}."]
         return tag("section", tag("h2", self.run.title, id=f"{self.id}-title"), tag("p", " ".join(filter(None, facts))),
                    *(tag("h3", title, id=f"{self.id}-{name}") + content for name, title, content in self.sections
                      if content), aria_labelledby=f"{self.id}-title", id=self.id)
@@ -83,6 +63,10 @@ def overview(parts):
                                                  "warnings"], rows)
 
 
+def section(name, title, content):
+    return tag("section", tag("h2", title, id=name), content, aria_labelledby=name)
+
+
 def make_page(runs, remake):
     """`remake` is the command that made the page."""
     parts = [Part(run, number) for number, run in enumerate(runs, 1)]
@@ -93,14 +77,14 @@ def make_page(runs, remake):
         links.append(tag("li", tag("a", "Pictures", href="#pictures")))
     links.append(tag("li", tag("a", "How to read this page", href="#reading")))
     body = [tag("a", "Skip to the results", href="#results", class_="skip"),
-            tag("header", tag("h1", title), tag("p", "How an inner loop of a ray tracer may branch on type, measured. What "
-                                                     "ratios and intervals mean is ",
-                                                tag("a", "explained at the end", href="#reading"), ".")),
+            tag("header", tag("h1", title),
+                tag("p", "How an inner loop of a ray tracer may branch on type, measured. What ratios and intervals mean is ",
+                    tag("a", "explained at the end", href="#reading"), ".")),
             tag("nav", tag("ul", *links), aria_label="Contents"),
             tag("main", overview(parts) if len(parts) > 1 else "", *(part.html() for part in parts),
-                tag("section", tag("h2", "Pictures", id="pictures"), pictures, aria_labelledby="pictures") if pictures else "",
-                tag("section", tag("h2", "How to read this page", id="reading"),
-                    tag("dl", *(tag("dt", name) + tag("dd", said) for name, said in EXPLAINED)), aria_labelledby="reading"),
+                section("pictures", "Pictures", pictures) if pictures else "",
+                section("reading", "How to read this page",
+                        tag("dl", *(tag("dt", name) + tag("dd", said) for name, said in EXPLAINED))),
                 id="results"),
             tag("footer", tag("p", "This page needs nothing but itself. It was made by ", tag("code", remake), "."))]
     style = Path(__file__).with_name("report.css").read_text(encoding="utf-8")

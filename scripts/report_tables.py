@@ -123,7 +123,7 @@ def summary_table(run):
     def figure(row, *columns):
         values = [number(path, row, column) if column in row else None for column in columns]
         return "n/a" if values[0] is None else with_interval(*values)
+    rows = [[row.get(name, "") for name in names]
+            + [figure(row, name, lo, hi) for name, (_, lo, hi) in SUMMARY.items()] for row in run.lines["summary.csv"]]
     return plain_table("Median speed of each contender and paired ratios, with 95 % intervals",
-                       names + [said for said, *_ in SUMMARY.values()],
-                       [[row.get(name, "") for name in names] + [figure(row, name, lo, hi) for name, (_, lo, hi)
-                                                                 in SUMMARY.items()] for row in run.lines["summary.csv"]])
+                       names + [said for said, *_ in SUMMARY.values()], rows)
