@@ -1,6 +1,7 @@
 """What all charts share: their look, and how they are saved."""
 
 import csv
+import io
 
 import matplotlib
 from matplotlib import pyplot
@@ -10,7 +11,7 @@ from plot_inputs import count, number, scene_title
 # Okabe and Ito's colours, with grey and white for their black, told apart by eyes of every kind; the hatch (of
 # bars) and the marker (of points) tell them apart in print.
 COLOURS = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#999999", "#FFFFFF"]
-HATCHES = ["", "///", "...", "xxx", "\\\\\\", "---", "ooo", "|||", "+++"]
+HATCHES = ["", "///", "..", "xxx", "\\\\\\", "---", "oo", "|||", "+++"]  # circles are most of an SVG's bytes
 # Of lines and points on white, where neither yellow nor white would do; the last is Tol's wine, dark beside all
 # but black.
 LINE_COLOURS = [*COLOURS[:6], "#000000", "#999999", "#882255"]
@@ -28,15 +29,20 @@ def short(value):
     return f"{value:,.0f}" if value >= 99.95 else f"{value:#.3g}"
 
 
+def second_of(values, i):
+    """What goes with the i-th colour: moved on by one whenever the colours begin again, so that no pair returns."""
+    return values[(i + i // len(COLOURS)) % len(values)]
+
+
 def style_of(names):
     """The look of each name, by its place in the list."""
-    return {name: {"facecolor": COLOURS[i % len(COLOURS)], "hatch": HATCHES[i % len(HATCHES)],
+    return {name: {"facecolor": COLOURS[i % len(COLOURS)], "hatch": second_of(HATCHES, i),
                    "edgecolor": "black", "linewidth": 0.5} for i, name in enumerate(names)}
 
 
 def line_looks(names):
     """The same for points and lines."""
-    return {name: {"color": LINE_COLOURS[i % len(LINE_COLOURS)], "marker": MARKERS[i % len(MARKERS)]}
+    return {name: {"color": LINE_COLOURS[i % len(LINE_COLOURS)], "marker": second_of(MARKERS, i)}
             for i, name in enumerate(names)}
 
 
@@ -68,12 +74,23 @@ class Chart:
         self.figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), frameon=False,
                            ncol=min(len(handles), 5), handlelength=2.5, handleheight=1.2)
 
-    def save(self, folder):
-        described = {"Title": self.title, "Description": self.title + ". " + " ".join(self.words)}
-        svg, png = (folder / (self.name + end) for end in (".svg", ".png"))
-        self.figure.savefig(svg, bbox_inches="tight", metadata=dict(described, Date=None))
-        self.figure.savefig(png, bbox_inches="tight", dpi=150, metadata=described)
+    def _described(self):
+        return {"Title": self.title, "Description": self.title + ". " + " ".join(self.words)}
+
+    def svg(self):
+        """The text of the picture."""
+        picture = io.StringIO()
+        self.figure.savefig(picture, format="svg", bbox_inches="tight", metadata=dict(self._described(), Date=None))
+        return picture.getvalue()
+
+    def close(self):
         pyplot.close(self.figure)
+
+    def save(self, folder):
+        svg, png = (folder / (self.name + end) for end in (".svg", ".png"))
+        svg.write_text(self.svg(), encoding="utf-8")
+        self.figure.savefig(png, bbox_inches="tight", dpi=150, metadata=self._described())
+        self.close()
         tables = {folder / f"{name}.csv": rows for name, rows in {f"{self.name}_data": self.data,
                                                                   **self.tables}.items()}
         for path, rows in tables.items():

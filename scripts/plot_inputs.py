@@ -1,6 +1,7 @@
-"""What scripts/plot reads: the CSV files of a run, checked line by line."""
+"""What scripts/plot and scripts/report read: the CSV files of a run, checked line by line."""
 
 import csv
+import io
 import math
 
 
@@ -8,20 +9,35 @@ class InputError(Exception):
     """A file of the run is not there or is not what it should be."""
 
 
-def read_rows(path, needed):
-    """The lines of a CSV file as dictionaries, each with its "line"."""
+class CannotDraw(InputError):
+    """A file is whole, but no chart can be made of it: an older program wrote it, or rows are for one place."""
+
+
+def read_lines(path, needed=()):
+    """The lines of a CSV file as dictionaries, each with its "line"; a file that was cut off is an error."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
-            reader = csv.DictReader(file, restval="")
-            missing = [name for name in needed if name not in (reader.fieldnames or [])]
-            if missing:
-                raise InputError(f"{path}: no column {', '.join(missing)}; run the experiment again to write it")
-            rows = [dict(row, line=reader.line_num) for row in reader]
-            for row in rows:
-                if None in row:
-                    raise InputError(f"{path}:{row['line']}: more fields than columns; run the experiment again")
+            text = file.read()
+        reader = csv.DictReader(io.StringIO(text, newline=""))
+        missing = [name for name in needed if name not in (reader.fieldnames or [])]
+        if missing:
+            kind = CannotDraw if reader.fieldnames else InputError
+            raise kind(f"{path}: no column {', '.join(missing)}; run the experiment again to write it")
+        rows = [dict(row, line=reader.line_num) for row in reader]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{path}: cannot be read: {error}") from None
+    for row in rows:
+        if None in row or None in row.values():
+            fault = "more" if None in row else "fewer"
+            raise InputError(f"{path}:{row['line']}: {fault} fields than columns; run the experiment again")
+    if not text.endswith("\n"):
+        raise InputError(f"{path}:{reader.line_num}: the file ends within this line; run the experiment again")
+    return rows
+
+
+def read_rows(path, needed):
+    """The same of a file that must hold at least one line beside its header."""
+    rows = read_lines(path, needed)
     if not rows:
         raise InputError(f"{path}: holds no rows; run the experiment again, or remove the file")
     return rows
@@ -62,7 +78,7 @@ def require_once(path, rows, names):
     for row in rows:
         key = tuple(row[name] for name in names)
         if key in seen:
-            raise InputError(f"{path}:{row['line']}: a second row for {', '.join(key)}; a chart needs one")
+            raise CannotDraw(f"{path}:{row['line']}: a second row for {', '.join(key)}; a chart needs one")
         seen.add(key)
 
 

@@ -1,7 +1,7 @@
 """The charts of the paper's tables and of its Figure 4."""
 
 from plot_chart import WHISKER, Chart, distinct, short, style_of, whisker, workload_title
-from plot_inputs import InputError, Summary, count, number, read_rows, read_table
+from plot_inputs import CannotDraw, InputError, Summary, count, number, read_rows, read_table
 
 KERNELS = ["intersect", "sort", "shade", "compact"]  # in the order of the pipeline
 
@@ -21,7 +21,7 @@ def figure4(folder):
         titles[workload] = workload_title(path, row)
         key = (workload, row["backend"], row["strategy"], row["kernel"])
         if key in seconds:
-            raise InputError(f"{path}:{row['line']}: a second row for {row['scene']}, {row['backend']}, "
+            raise CannotDraw(f"{path}:{row['line']}: a second row for {row['scene']}, {row['backend']}, "
                              f"{row['strategy']}, {row['kernel']}; a chart needs one")
         seconds[key] = number(path, row, "seconds")
     backends, strategies = (distinct(row[name] for row in rows) for name in ("backend", "strategy"))

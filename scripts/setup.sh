@@ -5,10 +5,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 # libboost-dev: Boost.Math's chi-squared distribution, for the tests. openimageio-tools: the library's CMake
 # package checks that its tools are there. python3 and curl: scripts/fetch_scenes. python3-matplotlib:
-# scripts/plot.
+# scripts/plot and scripts/report, which takes differences of pictures with python3-openimageio.
 packages=(g++ cmake ninja-build libtbb-dev libcli11-dev nlohmann-json3-dev libtinyobjloader-dev
           librandom123-dev libxxhash-dev libgtest-dev libboost-dev libopenimageio-dev openimageio-tools
-          python3 curl python3-matplotlib)
+          python3 curl python3-matplotlib python3-openimageio)
 
 is_installed() {
   dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'

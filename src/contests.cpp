@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -55,17 +56,20 @@ std::string obstacle(const Contender& c) {
     return "this machine allows " + std::to_string(allowed) + (allowed == 1 ? " thread" : " threads");
 }
 
-// What the first valid contender has accumulated; the others have the same.
+// What contenders have accumulated: the first valid one's under the workload's name, and under its own name
+// too each that differs, as those of other methods and backends do.
 void write_images(const RunContext& run, const ContestInput& input,
                   const std::vector<FrameEntrant>& entrants) {
+    std::set<std::uint64_t> written;
     for (const FrameEntrant& e : entrants) {
-        if (!run.results.cells[e.cell].valid || e.image.size() == 0) continue;
-        std::string name = input.workload.name();
+        const CellResult& cell = run.results.cells[e.cell];
+        if (!cell.valid || e.image.size() == 0) continue;
+        if (!written.insert(e.image.hash()).second) continue;
+        std::string name = input.workload.name() + (written.size() == 1 ? "" : "--" + cell.contender.label());
         std::replace(name.begin(), name.end(), '/', '-');
         for (const char* type : {".exr", ".png"})
             write_image(run.folder / (name + type), run.config.width, run.config.height, e.image,
                         input.scene.exposure);
-        return;
     }
 }
 

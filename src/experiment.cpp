@@ -24,6 +24,7 @@
 #include "report/profile.h"
 #include "report/summary.h"
 #include "report/tables.h"
+#include "report/tree_tables.h"
 #include "report/type_tables.h"
 #include "run_context.h"
 #include "stability_study.h"
@@ -116,7 +117,10 @@ private:
             write_file(folder_ / "convergence_fits.csv", convergence_fits_csv(config_, results_));
         }
         for (const std::string& table : config_.tables) {
-            if (table == "table2") write_file(folder_ / "table2.csv", table2_csv(results_));
+            if (table == "table2") {
+                write_file(folder_ / "table2.csv", table2_csv(results_));
+                write_file(folder_ / "table2.md", table2_markdown(results_));
+            }
             if (table == "table3") {
                 write_file(folder_ / "table3.csv", table3_csv(results_));
                 write_file(folder_ / "table3.md", table3_markdown(results_));

@@ -1,8 +1,10 @@
 // The command line: reads it, does what it says, and turns errors into exit codes.
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <string_view>
 
 #include "backends/cuda.h"
 #include "base/error.h"
@@ -16,9 +18,21 @@
 namespace ctpbench {
 namespace {
 
+// As a shell reads it back: what is not plain goes between single quotes.
+std::string quoted(const std::string& argument) {
+    const auto is_plain = [](unsigned char c) {
+        return std::isalnum(c) ||
+               std::string_view("_%+=:,./-").find(static_cast<char>(c)) != std::string::npos;
+    };
+    if (!argument.empty() && std::all_of(argument.begin(), argument.end(), is_plain)) return argument;
+    std::string out = "'";
+    for (const char c : argument) out += c == '\'' ? "'\\''" : std::string(1, c);
+    return out + "'";
+}
+
 std::string joined(int argc, char** argv) {
     std::string command;
-    for (int i = 0; i < argc; ++i) command += (i > 0 ? " " : "") + std::string(argv[i]);
+    for (int i = 0; i < argc; ++i) command += (i > 0 ? " " : "") + quoted(argv[i]);
     return command;
 }
 

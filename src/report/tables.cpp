@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
-#include <set>
 #include <vector>
 
 #include "report/csv.h"
@@ -53,36 +51,6 @@ std::vector<std::uint32_t> sphere_counts(const Results& results) {
 }
 
 }  // namespace
-
-std::string table2_csv(const Results& results) {
-    std::vector<Workload> columns;
-    std::set<std::uint32_t> counts;
-    std::map<std::string, std::size_t> nodes;
-    const auto key = [](const Workload& w, const std::string& kind) { return w.name() + '|' + kind; };
-    for (const TreeResult& t : results.trees) {
-        const Workload column = without_spheres(t.workload);
-        if (std::find(columns.begin(), columns.end(), column) == columns.end()) columns.push_back(column);
-        counts.insert(t.workload.spheres);
-        nodes[key(t.workload, t.kind)] = t.nodes;
-    }
-    std::vector<std::string> header{"spheres"};
-    for (const Workload& w : columns)
-        for (const char* kind : {"combined", "triangles_alone", "spheres_alone"})
-            header.push_back(w.scene + "/" + w.builder + "/" + kind);
-    std::string out = csv_line(header);
-    for (std::uint32_t spheres : counts) {
-        std::vector<std::string> line{std::to_string(spheres)};
-        for (Workload w : columns) {
-            w.spheres = spheres;
-            for (const char* kind : {"mixed", "triangles", "spheres"}) {
-                const auto found = nodes.find(key(w, kind));
-                line.push_back(found == nodes.end() ? "" : std::to_string(found->second));
-            }
-        }
-        out += csv_line(line);
-    }
-    return out;
-}
 
 std::string table3_csv(const Results& results) {
     const auto columns = distinct<Column>(results, [](const CellResult& c) {

@@ -1,4 +1,4 @@
-// The paper's tables, made from a run's results.
+// The paper's Table 3, made from a run's results.
 #pragma once
 
 #include <string>
@@ -6,9 +6,6 @@
 #include "measure/results.h"
 
 namespace ctpbench {
-
-// Rows are sphere counts, columns are scenes: nodes of the combined trees, and of each type's own.
-std::string table2_csv(const Results& results);
 
 // Rows are sphere counts, a column per scene, backend and strategy: median Mrays/s of valid cells.
 std::string table3_csv(const Results& results);

@@ -63,12 +63,3 @@ def agree(ours, theirs):
     print(f"blocks of {BLOCK}x{BLOCK} pixels: {outliers:.2%} beyond 3 sigmas (chance: 0.27 %), worst "
           f"{block_z[worst]:+.2f} at row {worst[0] * BLOCK}, column {worst[1] * BLOCK}")
     return bool((abs(z) < MOST_SIGMAS).all() and abs(block_z[worst]) < WORST_BLOCK and outliers <= MOST_OUTLIERS)
-
-
-def difference_colours(ours, theirs):
-    """White where the means agree, orange where ours is brighter, blue where darker; and what is full colour."""
-    difference = (ours.mean(axis=0) - theirs.mean(axis=0)).mean(axis=2)
-    scale = max(numpy.quantile(abs(difference), 0.99), 1e-12)
-    strength = numpy.clip(difference / scale, -1, 1)[..., None]
-    orange, blue = numpy.array([0.90, 0.38, 0.0]), numpy.array([0.0, 0.27, 0.70])
-    return 1 - numpy.maximum(strength, 0) * (1 - orange) - numpy.maximum(-strength, 0) * (1 - blue), scale

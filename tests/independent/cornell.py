@@ -23,7 +23,9 @@ except ImportError:
           "python3 -m venv venv && venv/bin/pip install mitsuba", file=sys.stderr)
     sys.exit(2)
 
-from comparison import agree, difference_colours
+sys.path.append(str(Path(__file__).resolve().parents[2] / "scripts"))
+from comparison import agree
+from difference_colours import difference_colours
 
 BOUNCES = 10
 CAMERA = {"eye": [0, -0.1, 1.45], "target": [0, -0.15, -1], "up": [0, 1, 0], "fov": 75}
@@ -158,7 +160,7 @@ def main():
     same = agree(ours, theirs)
     write_png(arguments.work / "ours.png", ours.mean(axis=0))
     write_png(arguments.work / "theirs.png", theirs.mean(axis=0))
-    colours, scale = difference_colours(ours, theirs)
+    colours, scale = difference_colours((ours.mean(axis=0) - theirs.mean(axis=0)).mean(axis=2))
     write_png(arguments.work / "difference.png", colours, gamma=False)
     print(f"difference.png: orange where ours is brighter, blue where darker; full colour is {scale:.3g}")
     print("they agree" if same else "they do NOT agree")

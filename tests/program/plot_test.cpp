@@ -75,6 +75,32 @@ TEST_F(Plot, DrawsTable3WithAndWithoutASummary) {
     EXPECT_EQ(data[3].at("mrays_s"), "n/a");
 }
 
+// Colours and hatches begin again after nine; no pair of them does.
+TEST_F(Plot, TellsManyStrategiesApart) {
+    std::string names = "spheres", values = "10";
+    for (char c = 'a'; c < 'a' + 18; ++c) names += std::string(",room/cpu/") + c, values += ",1";
+    write("table3.csv", names + "\n" + values + "\n");
+    ASSERT_EQ(plot(".").exit_code, 0);
+    const std::string svg = read(folder_ / "table3.svg");
+    int patterns = 0;
+    for (std::size_t at = 0; (at = svg.find("<pattern", at)) != std::string::npos; ++at) ++patterns;
+    EXPECT_EQ(patterns, 16);  // two are plain
+}
+
+TEST_F(Plot, DrawsWhereCyclesGo) {
+    write("profile.csv",
+          "scene,spheres,bounce,isa,rays,phase,per_ray,cycles_each,cycles_per_ray,rays_per_loop\n"
+          "room,0,0,avx2,64,packets,1,90,90,21\n"
+          "room,0,0,avx2,64,nodes,0.5,20,10,21\n"
+          "room,2000,1,avx2,64,packets,0,,4,0\n"
+          "room,2000,1,avx2,64,nodes,6,20,120,21\n");
+    const Outcome outcome = plot(".");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    expect_chart("profile");
+    expect_words("profile", "camera rays: 100 cycles a ray, of which packets 90.0, nodes 10.0.");
+    expect_words("profile", "2K spheres, bounce 1: 124 cycles a ray, of which packets 4.00, nodes 120.");
+}
+
 TEST_F(Plot, DrawsTheSameBytesAgain) {
     write("figure4.csv", kFigure4);
     write("table1.csv", kTable1);
@@ -96,6 +122,8 @@ TEST_F(Plot, RefusesWhatItCannotDraw) {
     expect_refused(".", "table3.csv:2: room/cpu/ctp is \"fast\"");
     write("table3.csv", "spheres,room/cpu/ctp\n10,1,2\n");
     expect_refused(".", "table3.csv:2: more fields than columns");
+    write("table3.csv", "spheres,room/cpu/ctp\n10\n");
+    expect_refused(".", "table3.csv:2: fewer fields than columns");
     write("table3.csv", kTable3);
     write("figure4.csv", std::string(kFigure4) + "room,mesh,1200,0,cpu,ctp,generate,1,1,1,5000,10,64,32\n");
     expect_refused(".", "figure4.csv:6: unknown kernel \"generate\"");

@@ -16,12 +16,16 @@ protected:
         if (std::system("/usr/bin/python3 -c 'import matplotlib' 2>/dev/null") != 0)
             GTEST_SKIP() << "needs matplotlib for /usr/bin/python3: apt-get install python3-matplotlib";
     }
-    Outcome plot(const std::string& arguments) const {
-        return run_shell("cd '" + folder_.string() + "'; '" CTPBENCH_SOURCE_DIR "/scripts/plot' " +
+    // `name`: from the root of the repository.
+    Outcome run_script(const std::string& name, const std::string& arguments) const {
+        return run_shell("cd '" + folder_.string() + "'; '" CTPBENCH_SOURCE_DIR "/" + name + "' " +
                          arguments);
     }
+    Outcome plot(const std::string& arguments) const { return run_script("scripts/plot", arguments); }
     void expect_refused(const std::string& arguments, const std::string& reason) const {
-        const Outcome outcome = plot(arguments);
+        expect_refusal(plot(arguments), reason);
+    }
+    static void expect_refusal(const Outcome& outcome, const std::string& reason) {
         EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
         EXPECT_NE(outcome.output.find(reason), std::string::npos) << outcome.output;
         EXPECT_EQ(outcome.output.find("Traceback"), std::string::npos) << outcome.output;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "report/console.h"
 #include "report/csv.h"
@@ -82,21 +81,6 @@ TEST(Table3, SetsNothingOfThePaperBesideAStandIn) {
     Results r = results();
     for (CellResult& c : r.cells) c.scene_source = "stand-in";
     EXPECT_EQ(table3_markdown(r).find("12.60"), std::string::npos);
-}
-
-TEST(Table2, CountsTheCombinedTreeAndEachTypesOwn) {
-    Results r;
-    const Workload w{"conference", 1000, 0.03, "paper"};
-    for (const auto& [kind, nodes] :
-         {std::pair{"mixed", 253}, {"triangles", 252}, {"spheres", 1}, {"embree_robust", 0}}) {
-        TreeResult t;
-        t.workload = w, t.kind = kind, t.nodes = static_cast<std::size_t>(nodes);
-        r.trees.push_back(t);
-    }
-    EXPECT_EQ(table2_csv(r),
-              "spheres,conference/paper/combined,conference/paper/triangles_alone,conference/paper/"
-              "spheres_alone\r\n"
-              "1000,253,252,1\r\n");
 }
 
 }  // namespace
