@@ -134,7 +134,8 @@ private:
             if (table == "pareto") write_file(folder_ / "pareto.csv", pareto_csv(config_, results_));
             if (table == "profile") write_file(folder_ / "profile.csv", profile_csv(results_));
             if (table == "peers") write_file(folder_ / "peers.csv", peers_csv(results_, backend_.threads()));
-            if (table == "growth") write_file(folder_ / "growth.csv", growth_csv(results_, backend_.threads()));
+            if (table == "growth")
+                write_file(folder_ / "growth.csv", growth_csv(results_, backend_.threads()));
             if (table == "figure4") write_file(folder_ / "figure4.csv", figure4_csv(config_, results_));
         }
     }
