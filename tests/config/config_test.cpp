@@ -283,6 +283,19 @@ TEST(Config, PeersNeedIntersect1BesideThem) {
               "no error");
 }
 
+TEST(Config, ReadsWhenRoundsStop) {
+    const Config config = config_of(header + "\"min_time\": 2, \"max_noise\": 0.01, \"timeout\": 60.5}");
+    EXPECT_EQ(config.min_time, 2.0);
+    EXPECT_EQ(config.max_noise, 0.01);
+    EXPECT_EQ(config.timeout, 60.5);
+    EXPECT_EQ(read_config(JsonDocument::parse(to_json(config).dump(), "echo"), test_names()), config);
+    EXPECT_NE(error_of("\"max_noise\": 0.01}").find("give a timeout too"), std::string::npos);
+    EXPECT_NE(error_of("\"min_time\": 9, \"timeout\": 5}").find("is shorter than min_time"),
+              std::string::npos);
+    EXPECT_NE(error_of("\"study\": \"stability\", \"min_time\": 9}").find("studies of speed"),
+              std::string::npos);
+}
+
 TEST(Config, EchoReadsBackTheSame) {
     std::vector<Config> configs = {
         config_of(header + R"("matrix": {"strategy": ["ctp", "restart"],
