@@ -49,7 +49,7 @@ Claims claims_of(const RatioDistribution& ratio, std::size_t rounds, std::size_t
 
 Claims claims_of(const std::vector<double>& ratios) {
     if (ratios.empty()) return {};
-    const MedianDistribution median(ratios), one({1.0});
+    const MedianDistribution median(ratios), one(std::vector<double>{1.0});
     return claims(RatioDistribution(median, one), ratios.size(), least_p(ratios.size()));
 }
 

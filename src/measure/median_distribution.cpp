@@ -51,6 +51,27 @@ MedianDistribution::MedianDistribution(std::vector<double> x) {
         }
         atoms_.push_back({x[i], std::max(both, 0.0)});
     }
+    sort();
+}
+
+MedianDistribution::MedianDistribution(const std::vector<std::vector<double>>& runs) {
+    const double n = static_cast<double>(runs.size());
+    for (const std::vector<double>& run : runs) {
+        const MedianDistribution of_run(run);
+        for (const Atom& a : of_run.atoms()) atoms_.push_back({a.value, a.probability / n});
+    }
+    sort();
+    // A draw is now one run's median; the middle one of n draws is at most x if half of them or more are.
+    const double middle = 0.5 * (n + 1.0);
+    double sum = 0.0, before = 0.0;
+    for (Atom& a : atoms_) {
+        sum += a.probability;
+        const double up_to = boost::math::ibeta(middle, middle, std::clamp(sum, 0.0, 1.0));
+        a.probability = up_to - before, before = up_to;
+    }
+}
+
+void MedianDistribution::sort() {
     std::sort(atoms_.begin(), atoms_.end(), [](const Atom& a, const Atom& b) { return a.value < b.value; });
 }
 

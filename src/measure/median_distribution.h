@@ -5,7 +5,8 @@
 // variance of an L-estimator", J. R. Stat. Soc. B 62(1), 2000.
 //
 // The hazard: the samples count as independent draws from one distribution. Rounds of one process are not
-// draws from all processes, and rounds that drift are not independent.
+// draws from all processes, for which there is a second constructor, and rounds that drift are not
+// independent.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +18,11 @@ class MedianDistribution {
 public:
     // `samples` must not be empty.
     explicit MedianDistribution(std::vector<double> samples);
+    // The median over runs of their medians: as many runs are drawn as there are, with replacement, and
+    // rounds of each. What processes differ by is then in it, as far as so many processes tell. Neither
+    // `runs` nor any of them may be empty. With an even number of runs the distribution lies between those of
+    // the two middle ones.
+    explicit MedianDistribution(const std::vector<std::vector<double>>& runs);
 
     struct Atom {
         double value, probability;
@@ -29,6 +35,7 @@ public:
     double quantile(double share) const;
 
 private:
+    void sort();
     std::vector<Atom> atoms_;
 };
 

@@ -16,6 +16,12 @@ std::vector<double> pooled(const std::vector<std::vector<double>>& runs) {
     return all;
 }
 
+double middle(const std::vector<std::vector<double>>& runs) {
+    std::vector<double> medians;
+    for (const auto& run : runs) medians.push_back(median(run));
+    return median(medians);
+}
+
 // Why two recordings of a kernel cannot be set beside each other; empty if they can.
 std::string obstacle(const RecordedKernel& base, const RecordedKernel& fresh) {
     if (!base.valid) return "its hits were rejected in BASE";
@@ -81,9 +87,9 @@ private:
 
         ComparedKernel& k = out_.kernels.emplace_back();
         k.name = base.name, k.yardstick = base.yardstick, k.normalised = normalised;
-        k.base = median(b), k.fresh = median(a);
+        k.base = middle(base_runs), k.fresh = middle(fresh_runs);
         k.base_rounds = b.size(), k.fresh_rounds = a.size();
-        const MedianDistribution numerator(a), denominator(b);
+        const MedianDistribution numerator(fresh_runs), denominator(base_runs);
         const RatioDistribution ratio(numerator, denominator);
         k.ratio = {k.fresh / k.base, ratio.quantile(0.025), ratio.quantile(0.975)};
         const std::size_t rounds = std::min(a.size(), b.size());

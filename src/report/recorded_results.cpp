@@ -149,6 +149,7 @@ std::vector<std::vector<double>> speeds_of(const RecordedKernel& kernel, const R
             const auto same_round = same_run->second.find(round);
             if (same_round != same_run->second.end()) of_run.push_back(mrays / same_round->second);
         }
+        if (of_run.empty()) speeds.pop_back();
     }
     return speeds;
 }

@@ -63,6 +63,26 @@ TEST(MedianDistribution, LosesNoProbabilityWithManySamples) {
     }
 }
 
+TEST(MedianDistribution, OfRunsDrawsRunsThenRounds) {
+    const std::vector<std::vector<double>> runs = {{1.0, 1.2, 1.1}, {2.0, 2.5, 2.2}, {0.5, 1.15, 3.0}};
+    std::vector<std::pair<double, double>> drawn;  // a run's median, and how probable
+    for (const auto& run : runs)
+        for (const auto& [value, p] : enumerated(run)) drawn.emplace_back(value, p / 3.0);
+    std::map<double, double> expected;
+    for (const auto& [x, p] : drawn)
+        for (const auto& [y, q] : drawn)
+            for (const auto& [z, r] : drawn) expected[median({x, y, z})] += p * q * r;
+    std::map<double, double> ours;
+    const MedianDistribution medians(runs);
+    for (const auto& [value, p] : medians.atoms()) ours[value] += p;
+    for (const auto& [value, p] : expected) EXPECT_NEAR(ours[value], p, 1e-12) << value;
+
+    const MedianDistribution one(std::vector<std::vector<double>>{runs[0]}), plain(runs[0]);
+    ASSERT_EQ(one.atoms().size(), plain.atoms().size());
+    for (std::size_t i = 0; i < plain.atoms().size(); ++i)
+        EXPECT_NEAR(one.atoms()[i].probability, plain.atoms()[i].probability, 1e-12);
+}
+
 TEST(RatioDistribution, IsThatOfAllPairs) {
     const std::vector<double> a = {1.0, 1.1, 0.9, 1.3}, b = {2.0, 2.4, 1.9};
     const MedianDistribution of_a(a), of_b(b);

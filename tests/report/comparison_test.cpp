@@ -85,6 +85,7 @@ TEST_F(ComparisonTest, TheYardstickTakesTheMachineOut) {
         EXPECT_EQ(of(c, "ctp").finding, Finding::same);
         EXPECT_EQ(of(c, "oop").finding, Finding::same);
         EXPECT_FALSE(c.has_regression());
+        EXPECT_FALSE(c.has_doubt());
     }
     // The yardstick itself is shown as it is, and is not what is under test.
     const Comparison c = compared({}, slow);
@@ -180,6 +181,20 @@ TEST_F(ComparisonTest, SeveralRunsOfAFolderCountTogether) {
     EXPECT_EQ(of(c, "ctp").fresh_rounds, 31u);
     EXPECT_EQ(of(c, "ctp").finding, Finding::same);
     EXPECT_THROW(read_results(folder_ / "none"), Error);
+}
+
+// Rounds alone, pooled, would be sure of something between the runs.
+TEST_F(ComparisonTest, WhatRunsDifferByIsInTheInterval) {
+    NoisyRun run, other;
+    run.rounds = other.rounds = 201, other.contenders[0].speed *= 1.2;
+    run.write(folder_ / "many/1", 1), other.write(folder_ / "many/2", 2), run.write(folder_ / "many/3", 3);
+    run.write(folder_ / "one", 4);
+    const Comparison c = compare(read_results(folder_ / "many"), read_results(folder_ / "one"), 0.9);
+    EXPECT_EQ(of(c, "ctp").finding, Finding::unclear);
+    EXPECT_LT(of(c, "ctp").ratio.lo, 1.0 / 1.15);
+    EXPECT_NEAR(of(c, "ctp").ratio.hi, 1.0, 0.03);
+    EXPECT_FALSE(c.has_regression());
+    EXPECT_EQ(of(c, "oop").finding, Finding::same);
 }
 
 // Runs that disagree make one series of two groups.
