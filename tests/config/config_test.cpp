@@ -112,7 +112,8 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         "\"embree_stream_coherent\", \"embree_stream_coherent_robust\", \"sort\", \"sort_restored\", "
         "\"queues\"\n"
         "t.json:6:42: error: /tables/1: unknown table \"table9\"; did you mean \"table2\"? choices: "
-        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\", \"narrowing\", \"types\", \"peers\", \"growth\", "
+        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\", \"narrowing\", \"types\", \"peers\", "
+        "\"growth\", "
         "\"profile\"\n"
         "t.json:6:52: error: /tables/2: is here twice; remove one of the two");
 }

@@ -11,7 +11,9 @@ class Compare : public ProgramTest {
 protected:
     // A run of the gate's experiment, small enough for a test.
     const std::string small_ =
-        " --set /matrix/scene=smoke --set /width=160 --set /height=64 --set /batch_rays=2048 --set /rounds=9";
+        " --set /matrix/scene=smoke --set /width=160 --set /height=64 --set /batch_rays=1024 --set "
+        "/rounds=41 "
+        "--set /max_noise=0";
 };
 
 TEST_F(Compare, ExitCodesSayWhatWasFound) {
@@ -77,12 +79,12 @@ TEST_F(Compare, RunsStopWhenTheyAreToldTo) {
     EXPECT_NE(read(folder_ / "late/meta.json").find("stopped by timeout"), std::string::npos);
     const auto calm = read_csv(folder_ / "calm/summary.csv").front();
     EXPECT_EQ(calm.at("stopped_by"), "max_noise");
-    EXPECT_GE(std::stoi(calm.at("rounds")), 9);
+    EXPECT_GE(std::stoi(calm.at("rounds")), 41);
     // And all of these can be compared, whatever their number of rounds.
     EXPECT_EQ(run("compare $D/time $D/calm --fail-ratio 0.1").exit_code, 0);
 }
 
-// The program behind a script that makes ctp take three times as long in the rows of the first N runs.
+// The program behind a script that makes ctp take ten times as long in the rows of the first N runs.
 TEST_F(Compare, TheGateNeedsARegressionTwiceInARow) {
     const auto slow = write("slow", R"(#!/usr/bin/env bash
 "$PROGRAM" "$@" || exit
@@ -92,7 +94,7 @@ left=$(cat "$LEFT")
 echo $((left - 1)) >"$LEFT"
 while [ "$1" != --out ]; do shift; done
 awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i }
-  NR > 1 && $at["strategy"] == "ctp" && $at["time_ms"] != "" { $at["time_ms"] *= 3 } { print }' "$2/rows.csv" >"$2/slow"
+  NR > 1 && $at["strategy"] == "ctp" && $at["time_ms"] != "" { $at["time_ms"] *= 10 } { print }' "$2/rows.csv" >"$2/slow"
 mv "$2/slow" "$2/rows.csv"
 )");
     std::filesystem::permissions(slow, std::filesystem::perms::owner_all);
