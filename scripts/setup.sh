@@ -3,7 +3,7 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-# libboost-dev: Boost.Math's chi-squared distribution, for the tests. openimageio-tools: the library's CMake
+# libboost-dev: Boost.Math. openimageio-tools: the library's CMake
 # package checks that its tools are there. python3 and curl: scripts/fetch_scenes. python3-matplotlib:
 # scripts/plot and scripts/report, which takes differences of pictures with python3-openimageio.
 packages=(g++ cmake ninja-build libtbb-dev libcli11-dev nlohmann-json3-dev libtinyobjloader-dev

@@ -1,16 +1,20 @@
 #include "contests.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <set>
 #include <span>
 #include <utility>
 
+#include "base/clock.h"
 #include "kernels/registry.h"
 #include "measure/contest.h"
 #include "measure/frame_contest.h"
+#include "measure/stop_rule.h"
 #include "oracle/embree.h"
 #include "report/image.h"
+#include "report/judgement.h"
 #include "scene_exam.h"
 #include "wavefront/device_demand.h"
 #include "wavefront/methods.h"
@@ -35,12 +39,30 @@ void enter(const RunContext& run, CellResult cell, double share, Verify&& verify
 
 template <class Contest, class Entrants>
 void run_rounds(const RunContext& run, Contest& contest, Entrants& entrants) {
-    for (std::uint32_t round = 0; round < run.config.rounds; ++round) {
-        run.progress.step("round " + std::to_string(round + 1) + " of " + std::to_string(run.config.rounds),
-                          kVerified + (1.0 - kVerified) * round / run.config.rounds);
-        run.rows.append(run.results, contest.round(round, entrants, run.results, interrupted));
+    const Config& config = run.config;
+    const StopRule rule{config.rounds, config.min_time, config.max_noise, config.timeout};
+    const auto noise = [&] {
+        double widest = 0.0;
+        for (const auto& e : entrants)
+            widest = std::max(widest, noise_of(run.results.cells[e.cell], run.results, config.reference));
+        return widest;
+    };
+    double seconds = 0.0;
+    std::string reason;
+    for (std::uint32_t round = 0; reason.empty(); ++round) {
+        run.progress.step("round " + std::to_string(round + 1) + " of " + std::to_string(config.rounds),
+                          kVerified + (1.0 - kVerified) * rule.done(round, seconds));
+        seconds += seconds_of(
+            [&] { run.rows.append(run.results, contest.round(round, entrants, run.results, interrupted)); });
         stop_if_interrupted();
+        reason = rule.reason(round + 1, seconds, max_rounds, noise);
     }
+    for (const auto& e : entrants) run.results.cells[e.cell].stopped_by = reason;
+    if (reason != "timeout" && reason != "max_rounds") return;
+    char text[64];
+    std::snprintf(text, sizeof text, "stopped by %s after %.3g s, noise %.1f %%", reason.c_str(), seconds,
+                  100.0 * noise());
+    run.note(run.results.cells[entrants.front().cell].workload.name() + ": " + text);
 }
 
 bool is_recorded(const Config& config, std::uint32_t bounce) {

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "build_info.h"
+#include "compare.h"
 #include "config/command_line.h"
 #include "experiment.h"
 #include "render.h"
@@ -135,6 +136,8 @@ ExitCode perform(int argc, char** argv) {
             break;
         case CommandLine::Action::render:
             return render(line);
+        case CommandLine::Action::compare:
+            return compare(line);
         case CommandLine::Action::run:
         case CommandLine::Action::dry_run:
             return run(line, joined(argc, argv));

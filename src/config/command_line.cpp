@@ -19,11 +19,12 @@ Examples:
   ctpbench --config configs/table3.json --set /matrix/spheres=1000 --dry-run
   ctpbench --config configs/table3.json --backend cuda --set /batch_rays=0
   ctpbench render conference --spheres 1000 --samples 64 --image conference.png
+  ctpbench compare results/before results/after --fail-ratio 0.9
 
 Exit codes:
   0 ok   1 defect of the program   2 command line, config or scene file   3 scene missing
-  4 a contender disagrees with the oracle   7 backend cannot run here   8 results cannot be written
-  130 interrupted)";
+  4 a contender disagrees with the oracle   5 regression   6 unclear, with --strict
+  7 backend cannot run here   8 results cannot be written   130 interrupted)";
 
 const std::map<std::string, SceneChoice> scene_preferences = {
     {"auto", SceneChoice::auto_},
@@ -62,6 +63,7 @@ public:
         render_->fallthrough();
         add_run_options();
         add_render_options();
+        add_compare_options();
     }
 
     CommandLine parse(int argc, const char* const* argv) {
@@ -69,7 +71,9 @@ public:
             app_.parse(argc, argv);
         } catch (const CLI::CallForHelp&) {
             line_.action = CommandLine::Action::help;
-            line_.help_text = render_->parsed() ? render_->help("ctpbench") : app_.help();
+            line_.help_text = render_->parsed()    ? render_->help("ctpbench")
+                              : compare_->parsed() ? compare_->help("ctpbench")
+                                                   : app_.help();
             return line_;
         } catch (const CLI::CallForVersion&) {
             line_.action = CommandLine::Action::version;
@@ -83,6 +87,8 @@ public:
         line_.scene_dirs.assign(scene_dirs_.begin(), scene_dirs_.end());
         if (render_->parsed()) {
             finish_render();
+        } else if (compare_->parsed()) {
+            finish_compare();
         } else {
             finish_run();
         }
@@ -118,6 +124,17 @@ private:
         run_only(app_.add_option("--rounds", rounds_, "Times that each contender is measured"))
             ->type_name("N")
             ->check(whole_number(1, max_rounds));
+        const auto seconds = [&](const char* name, std::optional<double>& value, const char* what) {
+            run_only(app_.add_option(name, value, what))
+                ->type_name("SECONDS")
+                ->check(CLI::Range(0.0, max_seconds));
+        };
+        seconds("--min-time", min_time_, "Rounds go on until those of a contest have taken this long");
+        run_only(app_.add_option("--max-noise", max_noise_,
+                                 "Rounds go on until each interval's half-width is this share of its ratio"))
+            ->type_name("SHARE")
+            ->check(CLI::Range(0.0, 1.0));
+        seconds("--timeout", timeout_, "Rounds of a contest end after this time, whatever else is asked");
         run_only(app_.add_option("--filter", line_.filter,
                                  "Run only the cells whose name contains TEXT; --dry-run shows the names"))
             ->type_name("TEXT");
@@ -168,6 +185,32 @@ private:
             "Takes --scene-dir, --scenes, --threads, --seed and --quiet too; see ctpbench --help.");
     }
 
+    void add_compare_options() {
+        compare_->add_option("BASE", line_.base, "Folder of results, or of several runs' folders")
+            ->type_name("")
+            ->required();
+        compare_->add_option("NEW", line_.fresh, "Likewise, of what is set beside BASE")
+            ->type_name("")
+            ->required();
+        compare_
+            ->add_option("--fail-ratio", line_.fail_ratio,
+                         "A regression if the upper end of the interval of NEW / BASE is below this")
+            ->type_name("RATIO")
+            ->check(CLI::Range(0.01, 1.0))
+            ->capture_default_str();
+        compare_->add_flag("--strict", line_.strict,
+                           "Fail too if a verdict is UNCLEAR, or something not compared");
+        compare_->footer("Exit codes: 0 no regression   5 regression   6 unclear, with --strict");
+    }
+
+    void finish_compare() {
+        line_.action = CommandLine::Action::compare;
+        for (const CLI::Option* option : app_.get_options())
+            if (option->count() > 0)
+                refuse(option->get_name() +
+                       " means nothing to ctpbench compare; see ctpbench compare --help");
+    }
+
     void finish_render() {
         line_.action = CommandLine::Action::render;
         for (const CLI::Option* option : run_only_) {
@@ -191,18 +234,23 @@ private:
         add_edit("threads", line_.threads);
         add_edit("rounds", rounds_);
         add_edit("seed", line_.seed);
+        add_edit("min_time", min_time_, "--min-time");
+        add_edit("max_noise", max_noise_, "--max-noise");
+        add_edit("timeout", timeout_, "--timeout");
     }
 
     template <class T>
-    void add_edit(const std::string& key, const std::optional<T>& value) {
+    void add_edit(const std::string& key, const std::optional<T>& value, const std::string& option = {}) {
         if (!value) return;
-        const std::string text = std::to_string(*value);
-        line_.edits.push_back({"/" + key + "=" + text, "--" + key + " " + text});
+        char text[32];
+        const std::string written(text, std::to_chars(text, text + sizeof text, *value).ptr);
+        line_.edits.push_back(
+            {"/" + key + "=" + written, (option.empty() ? "--" + key : option) + " " + written});
     }
 
     [[noreturn]] void refuse_unknown(const std::string& argument) const {
-        std::vector<std::string> known = {"run", "render"};
-        for (const CLI::App* app : {&app_, static_cast<const CLI::App*>(render_)}) {
+        std::vector<std::string> known = {"run", "render", "compare"};
+        for (const CLI::App* app : std::initializer_list<const CLI::App*>{&app_, render_, compare_}) {
             for (const CLI::Option* option : app->get_options()) known.push_back(option->get_name());
         }
         if (std::find(known.begin(), known.end(), argument) != known.end()) {
@@ -218,6 +266,7 @@ private:
     std::vector<std::string> sets_;
     std::string scenes_ = "auto";
     std::optional<std::uint32_t> rounds_;
+    std::optional<double> min_time_, max_noise_, timeout_;
     bool dry_run_ = false;
     bool list_ = false;
     std::vector<const CLI::Option*> run_only_;
@@ -225,6 +274,7 @@ private:
     CLI::App app_{"Measures how a ray tracer's inner loops should branch on type.", "ctpbench"};
     CLI::App* run_ = app_.add_subcommand("run", "Run an experiment; implied if no subcommand is named");
     CLI::App* render_ = app_.add_subcommand("render", "Render one scene into an image");
+    CLI::App* compare_ = app_.add_subcommand("compare", "Set two folders of results beside each other");
 };
 
 }  // namespace

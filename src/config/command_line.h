@@ -18,6 +18,7 @@ struct CommandLine {
         dry_run,  // show the cells and stop
         list,     // show the names that a config may use and stop
         render,   // render one scene into an image
+        compare,  // set two folders of results beside each other
         version,
         help,  // print help_text
     };
@@ -38,7 +39,7 @@ struct CommandLine {
     std::vector<std::string> backends;  // "cpu", "cuda" or "auto"; empty: what the config says
     int device = 0;                     // number of the CUDA device
     std::string isa;                    // of kernels over packs; empty: the best that this machine has
-    std::vector<ConfigEdit> edits;      // --set in the order given, then --threads, --rounds and --seed
+    std::vector<ConfigEdit> edits;      // --set in the order given, then those with options of their own
 
     // render
     std::string scene;
@@ -49,6 +50,11 @@ struct CommandLine {
     std::uint32_t samples = 64;  // per pixel
     std::uint32_t bounces = 10;
     std::optional<float> exposure;  // none: the scene's
+
+    // compare
+    std::filesystem::path base, fresh;
+    double fail_ratio = 0.9;
+    bool strict = false;
 };
 
 // Throws Error(usage) with the problem and a hint.

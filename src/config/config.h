@@ -22,6 +22,7 @@ inline constexpr std::uint32_t max_spheres = 50'000'000;
 inline constexpr std::uint32_t max_threads = 1024;
 inline constexpr std::uint32_t max_bounces = 100;
 inline constexpr std::uint32_t max_rounds = 10'000;
+inline constexpr double max_seconds = 1e6;
 inline constexpr double max_rays = 1u << 28;  // of a batch
 
 // What an experiment asks.
@@ -44,7 +45,10 @@ struct Config {
     std::uint32_t width = 2560;  // pixels
     std::uint32_t height = 1024;
     std::uint32_t bounces = 10;  // intersections of a path after the camera ray's
-    std::uint32_t rounds = 11;   // times that each contender is measured
+    std::uint32_t rounds = 11;   // times that each contender is measured at least
+    double min_time = 0.0;       // the least seconds of rounds of a contest (measure/stop_rule.h)
+    double max_noise = 0.0;      // rounds go on until it is reached; 0: no matter
+    double timeout = 0.0;        // the most seconds of rounds of a contest; 0: no limit
     std::uint64_t seed = 1;
     std::uint32_t threads = 0;          // 0: all that the machine allows
     std::string reference = "ctp";      // strategy (of frames: shade strategy) that ratios refer to; the

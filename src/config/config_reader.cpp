@@ -70,11 +70,25 @@ void check_threads(const JsonObject& written, const Axes& axes) {
         threads.error("concerns the CPU alone; add backend \"cpu\", or remove it");
 }
 
+void read_stop_rules(const JsonObject& root, Config& config) {
+    root.get("min_time", config.min_time, range(0, max_seconds));
+    root.get("max_noise", config.max_noise, range(0, 1));
+    root.get("timeout", config.timeout, range(0, max_seconds));
+    for (const char* key : {"min_time", "max_noise", "timeout"})
+        if (root.has(key) && config.study != Study::speed)
+            root.error(key, "belongs to studies of speed; remove it");
+    if (config.max_noise > 0.0 && config.timeout == 0.0)
+        root.error("max_noise", "may never be reached; give a timeout too, in seconds");
+    if (config.timeout > 0.0 && config.timeout < config.min_time)
+        root.error("timeout", "is shorter than min_time; lengthen it");
+}
+
 void read_settings(const JsonObject& root, Config& config) {
     root.get("width", config.width, range(1, max_image_side));
     root.get("height", config.height, range(1, max_image_side));
     root.get("bounces", config.bounces, range(1, max_bounces));
     root.get("rounds", config.rounds, range(1, max_rounds));
+    read_stop_rules(root, config);
     root.get("seed", config.seed);
     root.get("threads", config.threads, range(0, max_threads));
     root.get("batch_rays", config.batch_rays, range(0, max_rays));

@@ -49,6 +49,11 @@ nlohmann::json to_json(const Config& config) {
                            {"tables", config.tables},
                            {"images", config.images}};
     if (!config.batch_bounces.empty()) json["batch_bounces"] = config.batch_bounces;
+    if (config.study == Study::speed) {
+        json["min_time"] = config.min_time;
+        json["max_noise"] = config.max_noise;
+        json["timeout"] = config.timeout;
+    }
     if (config.study == Study::stability) json["stress"] = config.stress;
     const bool pareto =
         std::find(config.tables.begin(), config.tables.end(), "pareto") != config.tables.end();

@@ -69,6 +69,8 @@ nlohmann::json describe_machine() {
     if (getloadavg(load, 1) != 1) load[0] = std::nan("");
     nlohmann::json machine = {
         {"cpu", cpuinfo("model name")},
+        // Hypervisors shorten the name; the numbers are the processor's own.
+        {"cpu_model", cpuinfo("cpu family") + "-" + cpuinfo("model\t") + "-" + cpuinfo("stepping")},
         {"isa_flags", cpuinfo("flags")},
         {"cores", std::thread::hardware_concurrency()},
         {"governor", first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor")},

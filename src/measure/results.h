@@ -70,6 +70,7 @@ struct CellResult {
     std::vector<KernelSeries> kernels;                   // in the order of the pipeline
     std::vector<BounceSeries> bounces;                   // of recorded rays, in the order of the batches
     std::size_t layout_bytes = 0;                        // on a CPU, beside the trees; 0: not known
+    std::string stopped_by;                              // what ended its rounds; empty: they did not end
     std::uint64_t image_hash = 0;                        // of a frame contest, after the last whole round
     std::uint32_t samples = 0;                           // per pixel in that image
     std::uint64_t shaded = 0, dropped = 0, clamped = 0;  // over all rounds

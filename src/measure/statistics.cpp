@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
+
+#include "measure/median_distribution.h"
 
 namespace ctpbench {
 
@@ -21,23 +22,19 @@ Estimate estimate_median(const std::vector<double>& samples) {
         e.lo = *lo, e.hi = *hi;
         return e;
     }
-    constexpr std::size_t resamples = 2000;
-    std::mt19937_64 random(1);
-    std::vector<double> medians(resamples), drawn(samples.size());
-    for (double& m : medians) {
-        for (double& d : drawn) d = samples[random() % samples.size()];
-        m = median(drawn);
-    }
-    std::sort(medians.begin(), medians.end());
-    e.lo = medians[resamples * 25 / 1000];
-    e.hi = medians[resamples * 975 / 1000 - 1];
+    const MedianDistribution medians(samples);
+    e.lo = medians.quantile(0.025), e.hi = medians.quantile(0.975);
     return e;
 }
 
+std::vector<double> paired_ratios(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> ratios(std::min(a.size(), b.size()));
+    for (std::size_t i = 0; i < ratios.size(); ++i) ratios[i] = a[i] / b[i];
+    return ratios;
+}
+
 Estimate estimate_paired_ratio(const std::vector<double>& a, const std::vector<double>& b) {
-    std::vector<double> ratios(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) ratios[i] = a[i] / b[i];
-    return estimate_median(ratios);
+    return estimate_median(paired_ratios(a, b));
 }
 
 Interval binomial_interval(std::size_t count, std::size_t trials) {

@@ -6,7 +6,7 @@
 
 namespace ctpbench {
 
-// A median with a 95 % percentile-bootstrap interval.
+// A median with a 95 % percentile-bootstrap interval (measure/median_distribution.h).
 struct Estimate {
     double median = 0.0, lo = 0.0, hi = 0.0;
 };
@@ -14,9 +14,11 @@ struct Estimate {
 // `samples` must not be empty.
 double median(std::vector<double> samples);
 
-// Resamples with a fixed seed, so equal samples give equal intervals. With fewer than three samples the
-// interval is their range.
+// With fewer than three samples the interval is their range.
 Estimate estimate_median(const std::vector<double>& samples);
+
+// a[i] / b[i], as far as there are both.
+std::vector<double> paired_ratios(const std::vector<double>& a, const std::vector<double>& b);
 
 // The median of a[i] / b[i]: both measured in round i, so that what slows the whole machine cancels.
 Estimate estimate_paired_ratio(const std::vector<double>& a, const std::vector<double>& b);

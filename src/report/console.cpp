@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "report/figures.h"
+#include "report/judgement.h"
 
 namespace ctpbench {
 
@@ -26,17 +27,22 @@ std::string table_text(const Config& config, const Results& results) {
         out += '\n';
     }
     if (results.cells.empty()) return out;
-    std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-20s %s\n", "scene/spheres", "strategy",
-                  "Mrays/s", "95 % interval", ("/ " + config.reference).c_str(), "/ yardstick", "hits");
+    std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-8s %-20s %s\n", "scene/spheres",
+                  "strategy", "Mrays/s", "95 % interval", ("/ " + config.reference).c_str(), "verdict",
+                  "/ yardstick", "hits");
     out += line;
+    const Judgements judgements(config, results);
     for (const CellResult& c : results.cells) {
         const std::string_view kernel = main_kernel(c);
+        const Judgement* judgement = judgements.find(c, kernel);
         const Estimate speed = throughput_of(&c, kernel);
         const std::string interval =
             std::isnan(speed.median) ? "" : fixed(speed.lo, 3) + " .. " + fixed(speed.hi, 3);
-        std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-20s %s\n", c.workload.name().c_str(),
-                      c.contender.label().c_str(), fixed(speed.median, 3).c_str(), interval.c_str(),
+        std::snprintf(line, sizeof line, "%-32s %-18s %9s  %-19s %-20s %-8s %-20s %s\n",
+                      c.workload.name().c_str(), c.contender.label().c_str(), fixed(speed.median, 3).c_str(),
+                      interval.c_str(),
                       with_interval(ratio_of(&c, reference_of(c, results, config.reference), kernel)).c_str(),
+                      judgement == nullptr ? "" : judgement->verdict.c_str(),
                       with_interval(ratio_of(&c, yardstick_of(c, results), kernel)).c_str(),
                       !c.valid    ? "REJECTED"
                       : c.checked ? "checked"
@@ -46,6 +52,7 @@ std::string table_text(const Config& config, const Results& results) {
     for (const CellResult& c : results.cells)
         if (!c.valid && !c.reason.empty())
             out += c.workload.name() + "/" + c.contender.label() + ": rejected: " + c.reason + "\n";
+    for (const std::string& warning : judgements.warnings()) out += warning + "\n";
     return out;
 }
 

@@ -21,10 +21,13 @@ const std::vector<double>* samples_of(const CellResult* cell, std::string_view k
     return series == nullptr || series->mrays.empty() ? nullptr : &(series->*quantity);
 }
 
+std::vector<double> paired_series(const std::vector<double>* a, const std::vector<double>* b) {
+    return a == nullptr || b == nullptr ? std::vector<double>() : paired_ratios(*a, *b);
+}
+
 Estimate paired(const std::vector<double>* a, const std::vector<double>* b) {
-    if (a == nullptr || b == nullptr) return kNone;
-    const auto rounds = static_cast<std::ptrdiff_t>(std::min(a->size(), b->size()));
-    return estimate_paired_ratio({a->begin(), a->begin() + rounds}, {b->begin(), b->begin() + rounds});
+    const std::vector<double> ratios = paired_series(a, b);
+    return ratios.empty() ? kNone : estimate_median(ratios);
 }
 
 }  // namespace
@@ -73,6 +76,11 @@ Estimate throughput_of(const CellResult* cell, std::string_view kernel) {
 Estimate seconds_of_kernel(const CellResult* cell, std::string_view kernel) {
     const auto* samples = samples_of(cell, kernel, &KernelSeries::seconds);
     return samples == nullptr ? kNone : estimate_median(*samples);
+}
+
+std::vector<double> ratios_of(const CellResult* a, const CellResult* b, std::string_view kernel) {
+    return paired_series(samples_of(a, kernel, &KernelSeries::mrays),
+                         samples_of(b, kernel, &KernelSeries::mrays));
 }
 
 Estimate ratio_of(const CellResult* a, const CellResult* b, std::string_view kernel) {

@@ -28,7 +28,12 @@ Estimate throughput_of(const CellResult* cell, std::string_view kernel = "inters
 // Seconds per frame, likewise.
 Estimate seconds_of_kernel(const CellResult* cell, std::string_view kernel);
 
-// Paired ratio of two contenders' throughput; no rounds in common: all NaN.
+// By round, the ratios of two contenders' throughput; none if there is no such cell, or none that may be
+// shown.
+std::vector<double> ratios_of(const CellResult* numerator, const CellResult* denominator,
+                              std::string_view kernel);
+
+// Their median; no rounds in common: all NaN.
 Estimate ratio_of(const CellResult* numerator, const CellResult* denominator,
                   std::string_view kernel = "intersect");
 

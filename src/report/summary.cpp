@@ -3,6 +3,7 @@
 #include "base/hash.h"
 #include "report/csv.h"
 #include "report/figures.h"
+#include "report/judgement.h"
 
 namespace ctpbench {
 
@@ -32,10 +33,16 @@ std::string summary_csv(const Config& config, const Results& results) {
                                 "image_hash",
                                 "samples",
                                 "valid",
-                                "mismatch_rate"});
+                                "mismatch_rate",
+                                "verdict",
+                                "drift",
+                                "bimodal",
+                                "stopped_by"});
+    const Judgements judgements(config, results);
     for (const CellResult& c : results.cells) {
         const CellResult* reference = reference_of(c, results, config.reference);
         const auto line = [&](std::string_view kernel, std::uint64_t rays, std::size_t rounds) {
+            const Judgement* judgement = judgements.find(c, kernel);
             const Estimate speed = throughput_of(&c, kernel);
             const Estimate ratio = ratio_of(&c, reference, kernel);
             const Estimate yardstick = ratio_of(&c, yardstick_of(c, results), kernel);
@@ -64,7 +71,13 @@ std::string summary_csv(const Config& config, const Results& results) {
                              c.image_hash != 0 ? hex(c.image_hash) : "",
                              c.samples != 0 ? std::to_string(c.samples) : "",
                              c.validity(),
-                             c.checked ? csv_number(c.verdict.mismatch_rate()) : ""});
+                             c.checked ? csv_number(c.verdict.mismatch_rate()) : "",
+                             judgement == nullptr ? "" : judgement->verdict,
+                             judgement == nullptr ? "" : csv_number(judgement->flags.drift, 3),
+                             judgement == nullptr       ? ""
+                             : judgement->flags.bimodal ? "true"
+                                                        : "false",
+                             c.stopped_by});
         };
         if (c.kernels.empty()) line(main_kernel(c), 0, 0);
         for (const KernelSeries& k : c.kernels) line(k.kernel, k.rays, k.mrays.size());

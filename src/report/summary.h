@@ -9,7 +9,7 @@
 namespace ctpbench {
 
 // One line per cell and kernel: median throughput with its interval, ratios to the reference and to the
-// yardstick.
+// yardstick, the verdict beside the reference and what makes it doubtful.
 std::string summary_csv(const Config& config, const Results& results);
 
 // One line per tree.

@@ -95,6 +95,36 @@ TEST(CommandLine, ReadsTheRenderSubcommand) {
     EXPECT_EQ(parse({"--scene-dir", "s", "render", "conference", "--image", "i.png"}).scene, "conference");
 }
 
+TEST(CommandLine, StopRulesAreEditsOfTheConfig) {
+    const CommandLine line =
+        parse({"--config", "c", "--timeout", "60", "--max-noise", "0.015", "--min-time", "2.5"});
+    std::vector<std::string> edits;
+    for (const ConfigEdit& edit : line.edits) edits.push_back(edit.assignment + " by " + edit.option);
+    EXPECT_EQ(edits, (std::vector<std::string>{"/min_time=2.5 by --min-time 2.5",
+                                               "/max_noise=0.015 by --max-noise 0.015",
+                                               "/timeout=60 by --timeout 60"}));
+    EXPECT_NE(error_of({"--config", "c", "--min-time", "-1"}).find("--min-time"), std::string::npos);
+    EXPECT_NE(error_of({"--config", "c", "--max-noise", "2"}).find("--max-noise"), std::string::npos);
+}
+
+TEST(CommandLine, ReadsTheCompareSubcommand) {
+    const CommandLine line = parse({"compare", "a", "b", "--fail-ratio", "0.8", "--strict"});
+    EXPECT_EQ(line.action, Action::compare);
+    EXPECT_EQ(line.base, "a");
+    EXPECT_EQ(line.fresh, "b");
+    EXPECT_EQ(line.fail_ratio, 0.8);
+    EXPECT_TRUE(line.strict);
+    EXPECT_EQ(parse({"compare", "a", "b"}).fail_ratio, 0.9);
+    EXPECT_FALSE(parse({"compare", "a", "b"}).strict);
+    EXPECT_NE(parse({"compare", "--help"}).help_text.find("--fail-ratio"), std::string::npos);
+    EXPECT_NE(error_of({"compare", "a"}).find("NEW"), std::string::npos);
+    EXPECT_NE(error_of({"compare", "a", "b", "--fail-ratio", "1.5"}).find("--fail-ratio"), std::string::npos);
+    EXPECT_EQ(error_of({"--quiet", "compare", "a", "b"}),
+              "ctpbench: error: --quiet means nothing to ctpbench compare; see ctpbench compare --help");
+    EXPECT_EQ(error_of({"compare", "a", "b", "--strickt"}),
+              "ctpbench: error: unknown argument --strickt; did you mean --strict?");
+}
+
 TEST(CommandLine, OtherActions) {
     EXPECT_EQ(parse({"--version"}).action, Action::version);
     EXPECT_EQ(parse({"--list"}).action, Action::list);

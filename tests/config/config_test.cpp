@@ -112,7 +112,8 @@ TEST(Config, ReportsEveryMistakeAtOnceInTheOrderOfTheFile) {
         "\"embree_stream_coherent\", \"embree_stream_coherent_robust\", \"sort\", \"sort_restored\", "
         "\"queues\"\n"
         "t.json:6:42: error: /tables/1: unknown table \"table9\"; did you mean \"table2\"? choices: "
-        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\", \"narrowing\", \"types\", \"peers\", \"growth\", "
+        "\"table2\", \"table3\", \"table1\", \"figure4\", \"pareto\", \"narrowing\", \"types\", \"peers\", "
+        "\"growth\", "
         "\"profile\"\n"
         "t.json:6:52: error: /tables/2: is here twice; remove one of the two");
 }
@@ -281,6 +282,19 @@ TEST(Config, PeersNeedIntersect1BesideThem) {
         "and others in /matrix/strategy");
     EXPECT_EQ(error_of("\"matrix\": {\"strategy\": [\"ctp\", \"embree_default\"]}, \"tables\": [\"peers\"]}"),
               "no error");
+}
+
+TEST(Config, ReadsWhenRoundsStop) {
+    const Config config = config_of(header + "\"min_time\": 2, \"max_noise\": 0.01, \"timeout\": 60.5}");
+    EXPECT_EQ(config.min_time, 2.0);
+    EXPECT_EQ(config.max_noise, 0.01);
+    EXPECT_EQ(config.timeout, 60.5);
+    EXPECT_EQ(read_config(JsonDocument::parse(to_json(config).dump(), "echo"), test_names()), config);
+    EXPECT_NE(error_of("\"max_noise\": 0.01}").find("give a timeout too"), std::string::npos);
+    EXPECT_NE(error_of("\"min_time\": 9, \"timeout\": 5}").find("is shorter than min_time"),
+              std::string::npos);
+    EXPECT_NE(error_of("\"study\": \"stability\", \"min_time\": 9}").find("studies of speed"),
+              std::string::npos);
 }
 
 TEST(Config, EchoReadsBackTheSame) {
