@@ -31,7 +31,8 @@ template <class Offset>
 inline constexpr bool narrows_materials = std::is_same_v<Offset, Watertight::Offset>;
 
 // Calls f(TypeTag<TypeList<...>>{}) with the list of materials that shade kernels are compiled for where a
-// scene needs these: with the default offset the very list, 27 in all; with another one always all types.
+// scene needs these: with the default offset the very list, one for every subset, with textures or without;
+// with another one always all types.
 template <class Offset, class F>
 void visit_material_list(const MaterialTypes& types, F&& f) {
     if constexpr (narrows_materials<Offset>) {

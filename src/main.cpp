@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cstdio>
 #include <exception>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,7 @@
 #include "config/command_line.h"
 #include "experiment.h"
 #include "render.h"
+#include "scene/find_scene.h"
 #include "wavefront/interleaved/isa.h"
 
 namespace ctpbench {
@@ -108,6 +110,11 @@ ExitCode run(const CommandLine& line, const std::string& command) {
     names.only_backends = backends_of(line, options.notice);
     const Config config = load_config(line.config, line.edits, names);
     const std::vector<Cell> cells = filter(expand(config, names), line.filter);
+    if (config.study != Study::stability) {  // whose workloads are made, not loaded
+        std::set<std::string> scenes;
+        for (const Cell& cell : cells) scenes.insert(cell.workload.scene);
+        require_scenes(scenes, line.scenes, line.scene_dirs);
+    }
     if (line.action == CommandLine::Action::dry_run) {
         std::printf("%s", format_cells(cells).c_str());
         return ExitCode::ok;

@@ -36,7 +36,16 @@ struct MaterialTypes {
     bool operator==(const MaterialTypes&) const = default;
 };
 
+namespace detail {
+template <class... Ts, class... Us>
+constexpr std::uint32_t differing(TypeList<Ts...>, TypeList<Us...>) {
+    std::uint32_t mask = 0, bit = 1;
+    ((mask |= std::is_same_v<Ts, Us> ? 0 : bit, bit <<= 1), ...);
+    return mask;
+}
+}  // namespace detail
+
 // The types that look at a texture: with others alone, there is no difference.
-inline constexpr std::uint32_t kTexturable = 1u << material_type<Matte> | 1u << material_type<Plastic>;
+inline constexpr std::uint32_t kTexturable = detail::differing(Materials{}, UntexturedMaterials{});
 
 }  // namespace ctpbench

@@ -3,11 +3,11 @@
 #include "base/error.h"
 #include "kernels/materials/list.h"
 #include "scene/content_hash.h"
+#include "scene/find_scene.h"
 #include "scene/framing.h"
 #include "scene/material_library.h"
 #include "scene/mesh_cache.h"
 #include "scene/recipes/recipes.h"
-#include "scene/scene_file.h"
 #include "scene/spheres.h"
 #include "scene/textures.h"
 #include "scene/trim.h"
@@ -16,63 +16,6 @@ namespace ctpbench {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct FoundMesh {
-    const MeshEdition* edition;
-    fs::path path;
-};
-
-SceneFile bare_obj(const fs::path& path) {
-    SceneFile file;
-    file.path = path;
-    file.name = path.stem().string();
-    file.meshes.emplace_back().files = {fs::absolute(path).string()};
-    return file;
-}
-
-SceneFile find_and_read(const std::string& name, Folders& folders) {
-    const fs::path path(name);
-    if (path.extension() == ".obj") return bare_obj(path);
-    if (path.extension() != ".json") return read_scene_file(find_scene_file(name, folders));
-    folders.insert(folders.begin(), fs::absolute(path).parent_path());  // its meshes may lie beside it
-    return read_scene_file(path);
-}
-
-// A folder that is searched earlier beats an edition that is named earlier.
-std::optional<FoundMesh> find_mesh(const SceneFile& file, const Folders& folders) {
-    for (const fs::path& folder : folders) {
-        for (const MeshEdition& edition : file.meshes) {
-            if (const auto path = find_file(edition.files, {folder})) return FoundMesh{&edition, *path};
-        }
-    }
-    return std::nullopt;
-}
-
-[[noreturn]] void fail_without_mesh(const SceneFile& file, const Folders& folders) {
-    std::string text = "scene \"" + file.name + "\": ";
-    if (file.recipe) {
-        throw Error(ExitCode::scene_missing,
-                    text + "it is procedural and has no mesh; ask for \"auto\" or \"stand-in\"");
-    }
-    text += "its mesh was not found. Looked for\n";
-    bool in_folders = false;
-    for (const MeshEdition& edition : file.meshes) {
-        for (const std::string& name : edition.files) {
-            text += "  " + name + "\n";
-            in_folders = in_folders || !fs::path(name).is_absolute();
-        }
-    }
-    if (in_folders) {
-        text += "in\n";
-        for (const fs::path& folder : folders) text += "  " + folder.string() + "\n";
-        text +=
-            "scripts/fetch_scenes downloads the known meshes; --scene-dir or CTPBENCH_SCENES names another "
-            "folder";
-    } else {
-        text += "check the path";
-    }
-    throw Error(ExitCode::scene_missing, text);
-}
 
 void notice_dropped(const DroppedTriangles& dropped, const fs::path& path, Notices& notices) {
     if (dropped.total() == 0) return;
@@ -158,21 +101,13 @@ std::vector<SphereShape> add_stand_in(Scene& scene, const SceneFile& file, const
 
 std::vector<SphereShape> add_chosen_geometry(Scene& scene, const SceneFile& file, SceneChoice choice,
                                              const Folders& folders, Notices& notices) {
-    if (choice == SceneChoice::real && file.recipe) fail_without_mesh(file, folders);
-    if (choice == SceneChoice::stand_in && !file.recipe) {
-        if (!file.stand_in.empty()) return add_stand_in(scene, file, folders, notices);
-        throw Error(ExitCode::usage,
-                    "scene \"" + file.name + "\" has no stand-in; ask for \"auto\" or \"real\"");
-    }
-    const bool missing = !file.recipe && !find_mesh(file, folders);
-    if (choice == SceneChoice::auto_ && missing && !file.stand_in.empty()) {
+    if (!takes_stand_in(file, choice, folders)) return add_geometry(scene, file, folders, notices);
+    if (choice == SceneChoice::auto_)
         notices.push_back(
             "scene \"" + file.name + "\": its mesh was not found, so the stand-in \"" + file.stand_in +
             "\" takes its place; its figures do not compare with the paper's. scripts/fetch_scenes "
             "downloads the mesh");
-        return add_stand_in(scene, file, folders, notices);
-    }
-    return add_geometry(scene, file, folders, notices);
+    return add_stand_in(scene, file, folders, notices);
 }
 
 void add_spheres(Scene& scene, std::vector<SphereShape> placed, const SphereSettings& settings,

@@ -8,10 +8,10 @@ namespace {
 
 Camera read_camera(const JsonObject& json) {
     Camera camera;
-    json.require("eye", camera.eye);
-    json.require("target", camera.target);
+    const bool has_eye = json.require("eye", camera.eye), has_target = json.require("target", camera.target);
     json.get("up", camera.up);
     json.get("fov", camera.fov_degrees, range(1, 179));
+    if (!has_eye || !has_target) return camera;  // said already
     if (length(cross(camera.target - camera.eye, camera.up)) > 0.0f) return camera;
     json.error("the camera's \"up\" must not be zero or along its view, and \"eye\" not at \"target\"");
     return camera;

@@ -16,9 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 32;  // a texture's place has 32 bits
 
-bool looks_at_textures(const Material& material) {
-    return material.look.type == material_type<Matte> || material.look.type == material_type<Plastic>;
-}
+bool looks_at_textures(const Material& material) { return (kTexturable >> material.look.type & 1u) != 0; }
 
 class TextureLoader {
 public:

@@ -19,11 +19,10 @@ template <class Methods>
 void launch_strategies(const LayoutInput& input, const IntersectBuffers& io) {
     const auto launch = [](std::uint32_t count, const auto& kernel) { run<<<1, 1>>>(kernel, count); };
     const HostPlace place;
-    Ctp<Methods>::intersect(typename Ctp<Methods>::Layout(input).view(place), io, true, launch);
-    StdVariant<Methods>::intersect(typename StdVariant<Methods>::Layout(input).view(place), io, true, launch);
-    Restart<Methods>::intersect(typename Restart<Methods>::Layout(input).view(place), io, true, launch);
-    TypedLeaves<Methods>::intersect(typename TypedLeaves<Methods>::Layout(input).view(place), io, true,
-                                    launch);
+    for_each_type(IntersectStrategies<Methods>{}, [&](auto tag) {
+        using Strategy = typename decltype(tag)::type;
+        Strategy::intersect(typename Strategy::Layout(input).view(place), io, true, launch);
+    });
 }
 
 template <class Strategy>
@@ -38,11 +37,8 @@ void launch_shade(const MaterialInput& materials, const ShadeBuffers& io, const 
 }
 
 void instantiate(const MaterialInput& materials, const ShadeBuffers& shading, const ShadeWork& work) {
-    launch_shade<ShadeCtp<Materials>>(materials, shading, work);
-    launch_shade<ShadeStdVariant<Materials>>(materials, shading, work);
-    launch_shade<ShadeSortRestored<Materials>>(materials, shading, work);
-    launch_shade<ShadeSort<Materials>>(materials, shading, work);
-    launch_shade<ShadeQueues<Materials>>(materials, shading, work);
+    for_each_type(ShadeStrategies<Materials>{},
+                  [&](auto tag) { launch_shade<typename decltype(tag)::type>(materials, shading, work); });
 }
 
 void instantiate(const LayoutInput& input, const IntersectBuffers& io) {

@@ -52,6 +52,19 @@ TEST_F(BadInput, UnknownOption) { expect("--cofnig x", 2, {"--cofnig"}); }
 
 TEST_F(BadInput, UnknownScene) { expect(config_for("smoek"), 2, {"smoek", "did you mean \"smoke\""}); }
 
+// The last scene's mistakes show before the first one is measured, all of them at once.
+TEST_F(BadInput, EveryScenesMistakesBeforeAnythingIsMeasured) {
+    write("half.json", R"({"schema_version": 1, "name": "half", "recipe": {"nmae": "smoke"}})");
+    write("absent.json", R"({"schema_version": 1, "name": "absent", "mesh": {"file": "no/such.obj"}})");
+    const std::string arguments = config_for(R"(smoke", "smoek", "half", "absent)");
+    for (const char* also : {"", " --dry-run"})
+        expect(arguments + also, 2,
+               {"did you mean \"smoke\"", "half.json:1:", "did you mean \"name\"", "no/such.obj"});
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "r")) << "nothing was begun";
+    expect(arguments + " --filter absent/", 3, {"no/such.obj"});
+    expect(arguments + " --filter smoke/", 0, {});
+}
+
 TEST_F(BadInput, MissingMesh) {
     write("absent.json", R"({"schema_version": 1, "name": "absent", "mesh": {"file": "no/such.obj"},
         "stand_in": "smoke", "camera": {"eye": [0, 0, 3], "target": [0, 0, 0], "up": [0, 1, 0], "fov": 60}})");

@@ -149,6 +149,9 @@ TEST_F(LoadScene, TakesPaths) {
     EXPECT_EQ(scene.mesh.triangles.size(), 2u);
     EXPECT_EQ(scene.name, request.name);
     EXPECT_EQ(scene.camera.target, (Vec3{2, 1, 0.5f}));
+    request.scene_dirs = {folder / "one"};
+    request.name = "b.obj";
+    EXPECT_EQ(load().mesh.triangles.size(), 1u) << "an OBJ in a folder that is searched";
     request.name = (folder / "gone.obj").string();
     EXPECT_ERROR(load(), ExitCode::scene_missing, request.name);
     request.name = (folder / "gone.json").string();

@@ -135,12 +135,12 @@ TEST_P(Recipes, MaterialsAreNamedAndDescribed) {
 }
 
 // The courtyard is lit by the sky alone.
-TEST_P(Recipes, HasEveryMaterialType) {
+TEST_P(Recipes, HasThePapersMaterialTypes) {
     const auto [mesh, materials] = build(GetParam(), 1);
     std::set<std::uint32_t> types;
     for (const std::uint32_t id : mesh.material) types.insert(materials[id].look.type);
-    std::set<std::uint32_t> expected;
-    for (std::uint32_t type = 0; type < Materials::size; ++type) expected.insert(type);
+    std::set<std::uint32_t> expected = {material_type<Matte>, material_type<Plastic>, material_type<Mirror>,
+                                        material_type<Emissive>};
     if (GetParam().name == std::string("san_miguel_like")) expected.erase(material_type<Emissive>);
     EXPECT_EQ(types, expected);
 }

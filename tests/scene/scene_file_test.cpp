@@ -83,6 +83,10 @@ TEST_F(SceneFileTest, NamesThePlaceOfEachMistake) {
     expect("\n\"stand-in\": \"b\"", "a.json:2:1: error: /stand-in: unknown key; did you mean \"stand_in\"");
     expect(R"("recipe": {"name": "smoke"})", "either \"mesh\" or \"recipe\"");
     expect(R"("camera": {"eye": [0, 0, 0]})", "target");
+    expect(R"("camera": {"eey": [1, 0, 0], "target": [0, 5, 0]})", "did you mean \"eye\"");
+    const std::string message =
+        error_of([&] { parse(start + R"("camera": {"eey": [1, 0, 0], "target": [0, 5, 0]}})"); }).second;
+    EXPECT_EQ(message.find("along its view"), std::string::npos) << "what is missing is judged: " << message;
     expect(R"("camera": {"eye": [0, 0, 0], "target": [0, 5, 0]})", "must not be zero or along its view");
     expect(R"("camera": {"eye": [0, 0, 0], "target": [0, 0, 1], "fov": 180})", "fov");
     expect(R"("spheres": {"radius": 0})", "radius");

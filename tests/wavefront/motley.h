@@ -1,6 +1,8 @@
 // A scene that shading tests share: it has all that materials do.
 #pragma once
 
+#include <algorithm>
+
 #include "kernels/materials/list.h"
 #include "support.h"
 #include "wavefront/frames.h"
@@ -13,7 +15,7 @@ inline Material material(std::uint32_t type, Vec3 diffuse, Vec3 specular = {0, 0
     return m;
 }
 
-// A soup of triangles and spheres with all four types, textured and not, some of it cut out by alpha.
+// A soup of triangles and spheres with every type of material, textured and not, some of it cut out by alpha.
 inline Scene motley() {
     Scene scene = soup(3000, 60, 11);
     scene.materials = {material(material_type<Matte>, {0.8f, 0.5f, 0.3f}),
@@ -31,6 +33,10 @@ inline Scene motley() {
                                 static_cast<std::uint16_t>(i % 3 == 0 ? 0 : 65535)});
     scene.materials[4].look.texture = {0, 7, 5};
     scene.materials[5].look.texture = {14, 7, 3};
+    for (std::uint32_t type = 0; type < Materials::size; ++type)
+        if (std::none_of(scene.materials.begin(), scene.materials.end(),
+                         [&](const Material& m) { return m.look.type == type; }))
+            scene.materials.push_back(material(type, {0.4f, 0.5f, 0.3f}, {0.3f, 0.2f, 0.4f}, 20));
     for (std::size_t i = 0; i < scene.mesh.triangles.size(); ++i) {
         scene.mesh.material[i] = static_cast<std::uint32_t>(i % scene.materials.size());
         const auto corner = [&] { return Vec2{random.uniform(-2, 3), random.uniform(-2, 3)}; };
