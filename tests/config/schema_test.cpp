@@ -23,7 +23,7 @@ constexpr const char* kTies[] = {"means nothing",          "is not among the str
                                  "compares types",         "compares with",
                                  "profiles rays",          "concerns the CPU alone",
                                  "frames are rendered by", "every contender must render",
-                                 "needs measurements",     "a study of methods or of pictures measures"};
+                                 "needs measurements", "may never be reached", "is shorter than min_time",     "a study of methods or of pictures measures"};
 
 class Schema : public ProgramTest {
 protected:
