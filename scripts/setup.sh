@@ -6,9 +6,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # libboost-dev: Boost.Math. openimageio-tools: the library's CMake
 # package checks that its tools are there. python3 and curl: scripts/fetch_scenes. python3-matplotlib:
 # scripts/plot and scripts/report, which takes differences of pictures with python3-openimageio.
+# python3-jsonschema: tests of configs/schema.
 packages=(g++ cmake ninja-build libtbb-dev libcli11-dev nlohmann-json3-dev libtinyobjloader-dev
           librandom123-dev libxxhash-dev libgtest-dev libboost-dev libopenimageio-dev openimageio-tools
-          python3 curl python3-matplotlib python3-openimageio)
+          python3 curl python3-matplotlib python3-openimageio python3-jsonschema)
 
 is_installed() {
   dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'

@@ -3,6 +3,8 @@
 #include <cctype>
 #include <cstdio>
 #include <exception>
+
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,7 +15,10 @@
 #include "build_info.h"
 #include "compare.h"
 #include "config/command_line.h"
+#include "config/schema.h"
+#include "doctor.h"
 #include "experiment.h"
+#include "memory_needs.h"
 #include "render.h"
 #include "scene/find_scene.h"
 #include "wavefront/interleaved/isa.h"
@@ -119,6 +124,7 @@ ExitCode run(const CommandLine& line, const std::string& command) {
         std::printf("%s", format_cells(cells).c_str());
         return ExitCode::ok;
     }
+    require_memory_for(cells, config);
     options.out = line.out;
     options.device = line.device;
     options.isa = isa_of(line);
@@ -141,7 +147,13 @@ ExitCode perform(int argc, char** argv) {
         case CommandLine::Action::list:
             list(line);
             break;
+        case CommandLine::Action::schema:
+            std::printf("%s\n", config_schema(known_names()).dump(4).c_str());
+            break;
+        case CommandLine::Action::doctor:
+            return examine(line);
         case CommandLine::Action::render:
+            require_memory_for_picture(line.width, line.height, line.spheres);
             return render(line);
         case CommandLine::Action::compare:
             return compare(line);

@@ -22,6 +22,8 @@ std::string code_obstacle(const cudaDeviceProp& device, int number) {
 
 }  // namespace
 
+int cuda_toolkit() { return CUDART_VERSION; }
+
 std::string cuda_obstacle(int number) {
     int count = 0;
     cudaError_t status = cudaGetDeviceCount(&count);

@@ -17,6 +17,9 @@ struct CudaDevice {
     bool ecc = false;
 };
 
+// Of the toolkit that the program was built with: 13000 is CUDA 13.0; 0 without one.
+int cuda_toolkit();
+
 // Why device `number` cannot be used here, and what to do; empty if it can. Never throws.
 std::string cuda_obstacle(int number);
 

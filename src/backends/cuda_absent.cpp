@@ -4,6 +4,8 @@
 
 namespace ctpbench {
 
+int cuda_toolkit() { return 0; }
+
 std::string cuda_obstacle(int) {
     return "this program was built without CUDA; build it where CMake finds nvcc, or choose --backend cpu";
 }

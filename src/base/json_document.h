@@ -35,6 +35,11 @@ class JsonDocument {
 public:
     static constexpr std::size_t max_bytes = std::size_t{1} << 20;  // such files are written by hand
     static constexpr std::size_t max_depth = 64;
+    // Bytes of a JSON pointer: each value keeps its own, and there may be half a million of them.
+    static constexpr std::size_t max_pointer = 512;
+
+    // Told of one file: to find the place of each takes a pass over the text.
+    static constexpr std::size_t max_errors = 100;
 
     // Both throw Error(usage) naming the place; `file` is only a name to show.
     static JsonDocument load(const std::filesystem::path& path);

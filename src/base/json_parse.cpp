@@ -79,6 +79,12 @@ public:
         key_start_ = cursor_.take();
         key_ = name;
         pointer_ = json_pointer(open_.back().pointer, key_);
+        if (pointer_.size() > JsonDocument::max_pointer) {
+            add_error(key_start_, "the keys down to here have more than " +
+                                      std::to_string(JsonDocument::max_pointer) +
+                                      " characters together; shorten them");
+            return false;
+        }
         const auto earlier = document_.origins_.find(pointer_);
         if (earlier != document_.origins_.end()) {
             const JsonPlace first = place_in_text(text_, earlier->second.key, document_.file_);
@@ -169,6 +175,7 @@ private:
     }
 
     void add_error(std::size_t offset, const std::string& message) {
+        if (++error_count_ > JsonDocument::max_errors) return;
         if (!errors_.empty()) errors_ += '\n';
         errors_ += error_line(place_in_text(text_, offset, document_.file_), message);
     }
@@ -181,6 +188,7 @@ private:
     std::string key_;
     std::size_t key_start_ = 0;
     std::string errors_;
+    std::size_t error_count_ = 0;
 };
 
 JsonDocument JsonDocument::parse(std::string_view text, const std::string& file) {

@@ -27,13 +27,13 @@ JsonObject JsonObject::object(std::string_view key) const { return value(key).ob
 std::vector<std::pair<std::string, JsonValue>> JsonObject::members() const {
     std::vector<std::pair<std::string, JsonValue>> all;
     if (!json_) return all;
-    for (const auto& [key, ignored] : json_->items()) all.emplace_back(key, value(key));
+    reader_->visited_.at(pointer_).all_known = true;
+    for (const auto& [key, member] : json_->items())
+        all.emplace_back(key, JsonValue(reader_, &member, json_pointer(pointer_, key)));
     return all;
 }
 
-void JsonObject::error(std::string_view message) const {
-    reader_->report(reader_->document_.place(pointer_), pointer_, message);
-}
+void JsonObject::error(std::string_view message) const { reader_->report(pointer_, message); }
 
 void JsonObject::error(std::string_view key, std::string_view message) const { value(key).error(message); }
 
@@ -46,16 +46,20 @@ bool JsonObject::demand(std::string_view key) const {
 
 JsonObject JsonReader::root() { return JsonValue(this, &document_.value(), "").object(); }
 
-void JsonReader::report(JsonPlace place, std::string_view pointer, std::string_view message) {
+void JsonReader::report(std::string_view pointer, std::string_view message, bool at_key) {
+    if (full()) return;
     std::string text(pointer);
     if (!text.empty()) text += ": ";
-    problems_.push_back({std::move(place), text + std::string(message)});
+    problems_.push_back(
+        {at_key ? document_.key_place(pointer) : document_.place(pointer), text + std::string(message)});
 }
 
 void JsonReader::report_unknown_keys() {
     for (const auto& [pointer, object] : visited_) {
+        if (object.all_known) continue;
         for (const auto& [key, ignored] : object.json->items()) {
             const std::vector<std::string>& known = object.known;
+            if (full()) return;
             if (std::find(known.begin(), known.end(), key) != known.end()) continue;
             std::string message = "unknown key";
             if (const auto nearest = nearest_name(key, known)) {
@@ -65,8 +69,7 @@ void JsonReader::report_unknown_keys() {
                 for (std::size_t i = 0; i < known.size(); ++i)
                     message += (i ? ", \"" : " \"") + known[i] + "\"";
             }
-            const std::string at = json_pointer(pointer, key);
-            report(document_.key_place(at), at, message);
+            report(json_pointer(pointer, key), message, true);
         }
     }
 }
@@ -82,6 +85,7 @@ void JsonReader::finish() {
         if (!lines.empty()) lines += '\n';
         lines += error_line(problem.place, problem.message);
     }
+    if (full()) lines += "\n" + document_.file() + ": error: there may be more; these are the first found";
     throw Error(ExitCode::usage, lines);
 }
 

@@ -44,7 +44,7 @@ inline Range at_least(double low) { return {low, std::numeric_limits<double>::in
 inline Range above(double low) { return {low, std::numeric_limits<double>::infinity(), false}; }
 
 // One value, or the absence of one. read() leaves `out` alone and returns false if the value is absent or
-// wrong; the latter is recorded as an error. Numbers are finite; an integer must be written as one.
+// wrong; the latter is recorded as an error. Numbers are finite.
 class JsonValue {
 public:
     bool present() const { return json_ != nullptr; }
@@ -155,9 +155,11 @@ private:
     struct Visited {
         const nlohmann::json* json;
         std::vector<std::string> known;
+        bool all_known = false;  // keys are data
     };
-    void report(JsonPlace place, std::string_view pointer, std::string_view message);
+    void report(std::string_view pointer, std::string_view message, bool at_key = false);
     void report_unknown_keys();
+    bool full() const { return problems_.size() >= JsonDocument::max_errors; }
 
     JsonDocument document_;
     std::vector<Problem> problems_;

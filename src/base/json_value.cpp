@@ -40,9 +40,7 @@ bool JsonValue::is_list() const { return json_ && json_->is_array(); }
 bool JsonValue::is_object() const { return json_ && json_->is_object(); }
 bool JsonValue::is_string() const { return json_ && json_->is_string(); }
 
-void JsonValue::error(std::string_view message) const {
-    reader_->report(reader_->document_.place(pointer_), pointer_, message);
-}
+void JsonValue::error(std::string_view message) const { reader_->report(pointer_, message); }
 
 bool JsonValue::wrong_type(std::string_view expected) const {
     error("expected " + std::string(expected) + ", found " + describe(*json_));
@@ -67,16 +65,22 @@ bool JsonValue::read(bool& out) const {
 template <class Integer>
 bool JsonValue::read_integer(Integer& out, const Range& allowed) const {
     if (!json_) return false;
-    if (!json_->is_number_integer()) return wrong_type("an integer written without point or exponent");
-    if (!in_range(json_->get<double>(), allowed)) return false;
+    // JSON knows numbers alone: 1e3 and 1000.0 are the integer 1000.
+    const double value = json_->is_number() ? json_->get<double>() : std::nan("");
+    if (!(value == std::trunc(value))) return wrong_type("an integer");
+    if (!in_range(value, allowed)) return false;
+    using Limits = std::numeric_limits<Integer>;
     const bool fits = json_->is_number_unsigned() ? std::in_range<Integer>(json_->get<std::uint64_t>())
-                                                  : std::in_range<Integer>(json_->get<std::int64_t>());
+                      : json_->is_number_integer()
+                          ? std::in_range<Integer>(json_->get<std::int64_t>())
+                          : value >= static_cast<double>(Limits::min()) &&
+                                value < std::ldexp(1.0, Limits::digits);  // one beyond the largest
     if (!fits) {
-        error("must be from " + std::to_string(std::numeric_limits<Integer>::min()) + " to " +
-              std::to_string(std::numeric_limits<Integer>::max()) + ", found " + describe(*json_));
+        error("must be from " + std::to_string(Limits::min()) + " to " + std::to_string(Limits::max()) +
+              ", found " + describe(*json_));
         return false;
     }
-    out = json_->get<Integer>();
+    out = json_->is_number_float() ? static_cast<Integer>(value) : json_->get<Integer>();
     return true;
 }
 

@@ -10,18 +10,15 @@ namespace {
 
 class ElementReader {
 public:
-    ElementReader(std::string_view axis, const KnownNames& known) : axis_(axis), known_(known) {}
+    ElementReader(std::string_view axis, const KnownNames& known)
+        : axis_(axis), allowed_(axis_range(axis)), known_(known) {}
 
     bool read(const JsonValue& element, std::string& value) const {
         if (!element.read(value)) return false;
         return axis_ == "scene" ? is_scene_name(element, value) : is_choice(element, value);
     }
-    bool read(const JsonValue& element, std::uint32_t& value) const {
-        return element.read(value, range(0, axis_ == "bounce_limit" ? max_bounces
-                                            : axis_ == "threads"    ? max_threads
-                                                                    : max_spheres));
-    }
-    bool read(const JsonValue& element, double& value) const { return element.read(value, {0, 10, false}); }
+    bool read(const JsonValue& element, std::uint32_t& value) const { return element.read(value, allowed_); }
+    bool read(const JsonValue& element, double& value) const { return element.read(value, allowed_); }
     bool read(const JsonValue& element, bool& value) const { return element.read(value); }
 
 private:
@@ -33,29 +30,14 @@ private:
     }
 
     bool is_choice(const JsonValue& element, const std::string& name) const {
-        const auto or_of_bundle = [](std::vector<std::string> names) {
-            names.insert(names.begin(), of_bundle);
-            return names;
-        };
-        const std::vector<std::string> choices = axis_ == "strategy"    ? known_.all_strategies()
-                                                 : axis_ == "traversal" ? known_.traversals
-                                                 : axis_ == "methods"   ? known_.methods
-                                                 : axis_ == "builder"   ? known_.builders
-                                                 : axis_ == "shade"     ? known_.all_shades()
-                                                 : axis_ == "launch"    ? known_.launches
-                                                 : axis_ == "types"     ? known_.types
-                                                 : axis_ == "triangle_test"
-                                                     ? or_of_bundle(known_.triangle_tests)
-                                                 : axis_ == "sphere_test" ? or_of_bundle(known_.sphere_tests)
-                                                 : axis_ == "box_test"    ? or_of_bundle(known_.box_tests)
-                                                 : axis_ == "offset"      ? or_of_bundle(known_.offsets)
-                                                                          : known_.backends;
+        const std::vector<std::string> choices = axis_choices(axis_, known_);
         if (std::find(choices.begin(), choices.end(), name) != choices.end()) return true;
         element.error(unknown_name(axis_, name, choices));
         return false;
     }
 
     std::string_view axis_;
+    Range allowed_;
     const KnownNames& known_;
 };
 
@@ -64,6 +46,9 @@ void read_axis(const JsonValue& written, const ElementReader& reader, std::vecto
     std::vector<T> read;
     const std::vector<JsonValue> elements = written.list_or_one();
     if (elements.empty()) written.error("an axis needs a value; give one, or remove the key");
+    if (elements.size() > max_axis_values)
+        return written.error("more than " + std::to_string(max_axis_values) +
+                             " values along one axis; split the experiment");
     for (const JsonValue& element : elements) {
         T value{};
         if (!reader.read(element, value)) continue;
@@ -77,6 +62,31 @@ void read_axis(const JsonValue& written, const ElementReader& reader, std::vecto
 }
 
 }  // namespace
+
+std::vector<std::string> axis_choices(std::string_view axis, const KnownNames& known) {
+    const auto or_of_bundle = [](std::vector<std::string> names) {
+        names.insert(names.begin(), of_bundle);
+        return names;
+    };
+    if (axis == "strategy") return known.all_strategies();
+    if (axis == "traversal") return known.traversals;
+    if (axis == "methods") return known.methods;
+    if (axis == "builder") return known.builders;
+    if (axis == "backend") return known.backends;
+    if (axis == "shade") return known.all_shades();
+    if (axis == "launch") return known.launches;
+    if (axis == "types") return known.types;
+    if (axis == "triangle_test") return or_of_bundle(known.triangle_tests);
+    if (axis == "sphere_test") return or_of_bundle(known.sphere_tests);
+    if (axis == "box_test") return or_of_bundle(known.box_tests);
+    if (axis == "offset") return or_of_bundle(known.offsets);
+    return {};
+}
+
+Range axis_range(std::string_view axis) {
+    if (axis == "sphere_radius") return {0, 10, false};
+    return range(0, axis == "bounce_limit" ? max_bounces : axis == "threads" ? max_threads : max_spheres);
+}
 
 std::string meaningless(std::string_view axis, const Config& config) {
     if (!config.measure && !is_workload_axis(axis)) return "means nothing as \"measure\" is false";

@@ -157,6 +157,9 @@ private:
             ->check(CLI::IsMember({"avx512", "avx2", "scalar"}));
         run_only(app_.add_flag("--dry-run", dry_run_, "Show the cells and stop"));
         run_only(app_.add_flag("--list", list_, "Show the names that a config may use and stop"));
+        run_only(app_.add_flag("--schema", schema_, "Print the JSON Schema of configs and stop"));
+        run_only(app_.add_flag("--doctor", doctor_,
+                               "Say what this build and machine can do and what is missing, and stop"));
     }
 
     void add_render_options() {
@@ -223,9 +226,14 @@ private:
     void finish_run() {
         if (list_) {
             line_.action = CommandLine::Action::list;
+        } else if (schema_) {
+            line_.action = CommandLine::Action::schema;
+        } else if (doctor_) {
+            line_.action = CommandLine::Action::doctor;
         } else if (line_.config.empty()) {
             refuse(
-                "no experiment named; give one with --config, or see what there is with --list and --help");
+                "no experiment named; give one with --config, or see what there is with --list, --doctor and "
+                "--help");
         } else if (dry_run_) {
             line_.action = CommandLine::Action::dry_run;
         }
@@ -268,7 +276,7 @@ private:
     std::optional<std::uint32_t> rounds_;
     std::optional<double> min_time_, max_noise_, timeout_;
     bool dry_run_ = false;
-    bool list_ = false;
+    bool list_ = false, schema_ = false, doctor_ = false;
     std::vector<const CLI::Option*> run_only_;
 
     CLI::App app_{"Measures how a ray tracer's inner loops should branch on type.", "ctpbench"};

@@ -17,6 +17,8 @@ struct CommandLine {
         run,
         dry_run,  // show the cells and stop
         list,     // show the names that a config may use and stop
+        schema,   // print the JSON Schema of configs and stop
+        doctor,   // say what this build and machine can do and stop
         render,   // render one scene into an image
         compare,  // set two folders of results beside each other
         version,

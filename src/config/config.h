@@ -23,7 +23,10 @@ inline constexpr std::uint32_t max_threads = 1024;
 inline constexpr std::uint32_t max_bounces = 100;
 inline constexpr std::uint32_t max_rounds = 10'000;
 inline constexpr double max_seconds = 1e6;
-inline constexpr double max_rays = 1u << 28;  // of a batch
+inline constexpr double max_rays = 1u << 28;          // of a batch
+inline constexpr std::size_t max_axis_values = 1000;  // along one axis
+inline constexpr std::size_t max_entries = 1000;      // of `exclude`, of `include`
+inline constexpr std::size_t max_cells = 100'000;     // in all
 
 // What an experiment asks.
 enum class Study {
@@ -107,6 +110,7 @@ struct KnownNames {
     const Yardstick* yardstick(const std::string& name) const;  // null: there is none of this name
     std::vector<std::string> all_strategies() const;
     std::vector<std::string> all_shades() const;
+    std::vector<std::string> all_references() const;
     std::vector<std::string> all_tables() const;
     const Stress* find_stress(const std::string& name) const;  // null: there is none of this name
 };

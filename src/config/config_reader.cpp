@@ -7,6 +7,7 @@
 #include "config/axes_reader.h"
 #include "config/cells.h"
 #include "config/config.h"
+#include "config/settings.h"
 #include "config/study_reader.h"
 #include "config/tables_reader.h"
 
@@ -21,8 +22,6 @@ std::vector<std::string> joined(std::vector<std::string> a, const std::vector<st
     a.insert(a.end(), b.begin(), b.end());
     return a;
 }
-
-constexpr double max_cells = 100'000;
 
 void read_header(const JsonObject& root, Config& config) {
     std::string schema;  // for editors only
@@ -70,10 +69,7 @@ void check_threads(const JsonObject& written, const Axes& axes) {
         threads.error("concerns the CPU alone; add backend \"cpu\", or remove it");
 }
 
-void read_stop_rules(const JsonObject& root, Config& config) {
-    root.get("min_time", config.min_time, range(0, max_seconds));
-    root.get("max_noise", config.max_noise, range(0, 1));
-    root.get("timeout", config.timeout, range(0, max_seconds));
+void check_stop_rules(const JsonObject& root, const Config& config) {
     for (const char* key : {"min_time", "max_noise", "timeout"})
         if (root.has(key) && config.study != Study::speed)
             root.error(key, "belongs to studies of speed; remove it");
@@ -84,28 +80,31 @@ void read_stop_rules(const JsonObject& root, Config& config) {
 }
 
 void read_settings(const JsonObject& root, Config& config) {
-    root.get("width", config.width, range(1, max_image_side));
-    root.get("height", config.height, range(1, max_image_side));
-    root.get("bounces", config.bounces, range(1, max_bounces));
-    root.get("rounds", config.rounds, range(1, max_rounds));
-    read_stop_rules(root, config);
-    root.get("seed", config.seed);
-    root.get("threads", config.threads, range(0, max_threads));
-    root.get("batch_rays", config.batch_rays, range(0, max_rays));
+    for_each_setting([&](const char* key, auto member, const Range& allowed, const char*) {
+        root.get(key, config.*member, allowed);
+    });
+    check_stop_rules(root, config);
     read_batch_bounces(root, config);
-    root.get("oracle_rays", config.oracle_rays, range(1, max_rays));
     root.get("images", config.images);
 }
 
-// Whether multiplying out is affordable; an error otherwise.
-bool is_small(const Axes& axes, const JsonValue& place) {
+// Whether multiplying out is affordable beside the cells that there are already; an error otherwise.
+bool is_small(const Axes& axes, std::size_t already, const JsonValue& place) {
     double cells = 1;
     for_each_axis(axes, [&](std::string_view, const auto& values) {
         cells *= static_cast<double>(std::max<std::size_t>(values.size(), 1));
     });
-    if (cells <= max_cells) return true;
-    place.error("makes more than 100000 cells; split the experiment");
+    if (cells + static_cast<double>(already) <= static_cast<double>(max_cells)) return true;
+    place.error("makes more than " + std::to_string(max_cells) + " cells; split the experiment");
     return false;
+}
+
+// A list of axes, `exclude` or `include`.
+std::vector<JsonValue> read_entries(const JsonObject& root, const char* key) {
+    std::vector<JsonValue> entries = root.list(key);
+    if (entries.size() <= max_entries) return entries;
+    root.error(key, "more than " + std::to_string(max_entries) + " entries; split the experiment");
+    return {};
 }
 
 // Ratios need someone to refer to, in the contest of intersections and in that of frames.
@@ -138,7 +137,7 @@ void check_obstacles(const JsonObject& root, const std::vector<Cell>& cells, con
 
 // What only the whole matrix can tell: the default tables too.
 void check_cells(const JsonObject& root, const KnownNames& known, Config& config) {
-    if (!is_small(config.matrix, root.value("matrix"))) return;
+    if (!is_small(config.matrix, 0, root.value("matrix"))) return;
     Config without_include = config;
     without_include.include.clear();
     std::vector<Cell> cells = expand(without_include, known);
@@ -146,7 +145,7 @@ void check_cells(const JsonObject& root, const KnownNames& known, Config& config
     for (const Cell& cell : cells) names.insert(cell.name());
     const std::vector<JsonValue> includes = root.list("include");
     for (std::size_t i = 0; i < includes.size(); ++i) {
-        if (!is_small(config.include[i], includes[i])) return;
+        if (!is_small(config.include[i], cells.size(), includes[i])) return;
         for (const Cell& cell : expand_axes(config.include[i], config, known)) {
             if (!names.insert(cell.name()).second)
                 includes[i].error(cell.name() + " is there already; remove it here");
@@ -193,6 +192,12 @@ std::vector<std::string> KnownNames::all_strategies() const {
     return names;
 }
 std::vector<std::string> KnownNames::all_shades() const { return joined({no_shade}, shades); }
+std::vector<std::string> KnownNames::all_references() const {
+    std::vector<std::string> names = all_strategies();
+    for (const std::string& shade : shades)
+        if (!is_among(names, shade)) names.push_back(shade);
+    return names;
+}
 std::vector<std::string> KnownNames::all_tables() const {
     std::vector<std::string> all = tree_tables;
     for (const auto* more : {&speed_tables, &frame_tables, &failure_tables, &type_tables, &peer_tables})
@@ -212,13 +217,13 @@ Config read_config(JsonDocument document, const KnownNames& known) {
     const JsonObject matrix = root.object("matrix");
     read_axes(matrix, config, known, config.matrix);
     check_threads(matrix, config.matrix);
-    for (const JsonValue& element : root.list("exclude")) {
+    for (const JsonValue& element : read_entries(root, "exclude")) {
         read_axes(element.object(), config, known, config.exclude.emplace_back());
         if (config.exclude.back() == Axes{} && !reader.failed()) {
             element.error("would exclude everything; name an axis and its values");
         }
     }
-    for (const JsonValue& element : root.list("include")) {
+    for (const JsonValue& element : read_entries(root, "include")) {
         read_axes(element.object(), config, known, config.include.emplace_back(default_axes()));
         check_threads(element.object(), config.include.back());
     }
@@ -227,9 +232,7 @@ Config read_config(JsonDocument document, const KnownNames& known) {
         for (Axes& axes : config.include) axes.backend = known.only_backends;
     }
     const JsonValue reference = root.value("reference");
-    std::vector<std::string> contenders = known.all_strategies();
-    for (const std::string& shade : known.shades)
-        if (!is_among(contenders, shade)) contenders.push_back(shade);
+    const std::vector<std::string> contenders = known.all_references();
     if (reference.read(config.reference) && !is_among(contenders, config.reference)) {
         reference.error(unknown_name("strategy", config.reference, contenders));
     }

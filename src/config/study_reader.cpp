@@ -1,8 +1,10 @@
 #include "config/study_reader.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "base/suggest.h"
+#include "config/settings.h"
 
 namespace ctpbench {
 namespace {
@@ -47,15 +49,13 @@ void read_study(const JsonObject& root, const KnownNames& known, Config& config)
         root.error("measure", "a study of methods or of pictures measures; remove one of the two");
 
     if (is_of(Study::stability, root, "stress", config)) read_stress(root, known, config);
-    if (config.study == Study::speed || is_of(Study::stability, root, "stress_rays", config))
-        root.get("stress_rays", config.stress_rays, range(1, max_rays));
-    if (is_of(Study::convergence, root, "seeds", config)) root.get("seeds", config.seeds, range(2, 1000));
-    if (is_of(Study::convergence, root, "samples", config) &&
-        root.get("samples", config.samples, range(64, 1u << 20)) &&
-        (config.samples & (config.samples - 1)) != 0)
+    for_each_study_setting([&](Study study, const char* key, auto member, const Range& allowed, const char*) {
+        // Table "pareto" of a study of speed counts failures too.
+        const bool shared = key == std::string_view("stress_rays") && config.study == Study::speed;
+        if (shared || is_of(study, root, key, config)) root.get(key, config.*member, allowed);
+    });
+    if ((config.samples & (config.samples - 1)) != 0)
         root.error("samples", "must be a power of two: errors are taken after each doubling");
-    if (is_of(Study::convergence, root, "reference_samples", config))
-        root.get("reference_samples", config.reference_samples, range(2, 1u << 24));
 }
 
 }  // namespace ctpbench

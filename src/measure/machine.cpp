@@ -8,6 +8,8 @@
 #include <xmmintrin.h>
 #endif
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -15,6 +17,7 @@
 #include <string>
 #include <thread>
 
+#include "base/memory.h"
 #include "build_info.h"
 #include "oracle/embree.h"
 
@@ -52,6 +55,19 @@ double steal_share() {
     return total > 0.0 ? steal / total : 0.0;
 }
 
+// The shortest time that the clock of measurements tells from none.
+double clock_step_seconds() {
+    using Clock = std::chrono::steady_clock;
+    Clock::duration least = Clock::duration::max();
+    for (int i = 0; i < 1000; ++i) {
+        const auto start = Clock::now();
+        auto now = start;
+        while (now == start) now = Clock::now();
+        least = std::min(least, now - start);
+    }
+    return std::chrono::duration<double>(least).count();
+}
+
 bool flushes_denormals() {
 #if defined(__SSE__)
     return (_mm_getcsr() & 0x8040u) != 0;  // FTZ is bit 15, DAZ bit 6
@@ -77,6 +93,9 @@ nlohmann::json describe_machine() {
         {"cgroup_cpu_max", first_line("/sys/fs/cgroup/cpu.max")},
         {"memory_bytes",
          static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE))},
+        {"memory_available_bytes", available_memory_bytes()},
+        {"transparent_huge_pages", first_line("/sys/kernel/mm/transparent_hugepage/enabled")},
+        {"clock_step_seconds", clock_step_seconds()},
         {"load_1min", load[0]},
         {"steal_share_since_boot", steal_share()},
         {"system", std::string(system.sysname) + " " + system.release + " " + system.machine},

@@ -5,15 +5,26 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <system_error>
 
 #include "base/error.h"
+#include "base/memory.h"
 
 namespace ctpbench {
 
 CsvTable CsvTable::load(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
+    // Fields of one letter take this many times their bytes in memory.
+    constexpr double kGrowth = 40;
+    std::error_code failed;
+    if (std::filesystem::is_regular_file(path, failed))
+        require_memory(kGrowth * static_cast<double>(std::filesystem::file_size(path, failed)), path.string(),
+                       "keep fewer rows in one file");
+    else
+        failed = std::make_error_code(std::errc::invalid_argument);  // a pipe or a device may never end
+    std::ifstream file;
+    if (!failed) file.open(path, std::ios::binary);
     std::stringstream text;
-    if (!file || !(text << file.rdbuf()))
+    if (!file.is_open() || !(text << file.rdbuf()))
         throw Error(ExitCode::usage, path.string() + ": error: cannot be read, or is empty");
     return parse(text.view(), path.string());
 }

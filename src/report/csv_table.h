@@ -16,6 +16,7 @@ public:
     static CsvTable parse(std::string_view text, const std::string& file);
 
     std::size_t lines() const { return fields_.size(); }
+    std::size_t columns() const { return names_.size(); }
     // The number of a column; throws Error(usage) if there is none of this name.
     std::size_t column(const std::string& name) const;
     const std::string& field(std::size_t line, std::size_t column) const { return fields_[line][column]; }

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
+#include <sstream>
 #include <string>
+#include <system_error>
 
 #include "base/error.h"
 #include "kernels/materials/list.h"
@@ -19,6 +22,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t kNamesInNotice = 3;
 constexpr float kMirrorExponent = 100.0f;  // a glossy lobe sharper than that counts as a mirror
 
+// What the library makes of a material takes more than a kilobyte, and of a statement of ten bytes.
+constexpr std::size_t kMostMaterials = 50'000;
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
+
 struct Library {
     std::map<std::string, int> ids;  // the form that tinyobjloader fills
     std::vector<tinyobj::material_t> materials;
@@ -30,7 +37,8 @@ bool leads_outside(const fs::path& name) {
     return name.is_absolute() || normal.empty() || *normal.begin() == "..";
 }
 
-void read_library(const ObjName& name, const fs::path& obj_path, Library& library, Notices& notices) {
+// Nothing if it cannot be read, which is noticed.
+std::optional<MtlText> read_mtl(const ObjName& name, const fs::path& obj_path, Notices& notices) {
     const std::string mention =
         obj_path.string() + ":" + std::to_string(name.line) + ": material library \"" + name.name + "\"";
     if (leads_outside(name.name)) {
@@ -39,14 +47,33 @@ void read_library(const ObjName& name, const fs::path& obj_path, Library& librar
             mention + " is outside the OBJ file's folder and is not read; put it beside the OBJ file");
     }
     const fs::path path = obj_path.parent_path() / name.name;
-    std::ifstream stream(path, std::ios::binary);
-    if (!fs::is_regular_file(path) || !stream) {
+    std::error_code failed;
+    // Before it is opened: to open a named pipe is to wait for its writer.
+    const std::uintmax_t size = fs::is_regular_file(path, failed) ? fs::file_size(path, failed) : 0;
+    if (size > kMostBytes)
+        throw Error(ExitCode::usage, mention + " has " + std::to_string(size) + " bytes; an MTL file has " +
+                                         std::to_string(kMostBytes) + " at most, so split the mesh");
+    std::ifstream stream;
+    if (fs::is_regular_file(path, failed)) stream.open(path, std::ios::binary);
+    MtlText mtl{name.name, std::string(size, '\0')};
+    if (!stream.is_open() || !stream.read(mtl.text.data(), static_cast<std::streamsize>(size))) {
         notices.push_back(mention + " cannot be read; its materials get the default grey");
-        return;
+        return std::nullopt;
     }
+    return mtl;
+}
+
+void parse_mtl(const MtlText& mtl, Library& library) {
+    std::size_t statements = 0;
+    for (std::size_t at = 0; (at = mtl.text.find("newmtl", at)) != std::string::npos; at += 6) ++statements;
+    if (library.materials.size() + statements > kMostMaterials)
+        throw Error(ExitCode::usage, "material library \"" + mtl.name + "\": a mesh has more than " +
+                                         std::to_string(kMostMaterials) +
+                                         " materials with it; name fewer, or split the mesh");
+    std::istringstream stream(mtl.text);
     std::string warnings, errors;  // of no use here: they are about textures and transparency
     tinyobj::LoadMtl(&library.ids, &library.materials, &stream, &warnings, &errors);
-    library.folders.resize(library.materials.size(), fs::path(name.name).parent_path());
+    library.folders.resize(library.materials.size(), fs::path(mtl.name).parent_path());
 }
 
 float non_negative(float value) { return value > 0.0f && std::isfinite(value) ? value : 0.0f; }  // NaN: 0
@@ -100,9 +127,17 @@ void notice_unknown(const std::vector<const ObjName*>& unknown, const fs::path& 
 
 }  // namespace
 
-MeshMaterials read_materials(const ObjMesh& mesh, const fs::path& obj_path, Notices& notices) {
+std::vector<MtlText> read_libraries(const ObjMesh& mesh, const fs::path& obj_path, Notices& notices) {
+    std::vector<MtlText> texts;
+    for (const ObjName& name : mesh.libraries)
+        if (auto mtl = read_mtl(name, obj_path, notices)) texts.push_back(std::move(*mtl));
+    return texts;
+}
+
+MeshMaterials find_materials(const ObjMesh& mesh, const std::vector<MtlText>& libraries,
+                             const fs::path& obj_path, Notices& notices) {
     Library library;
-    for (const ObjName& name : mesh.libraries) read_library(name, obj_path, library, notices);
+    for (const MtlText& mtl : libraries) parse_mtl(mtl, library);
 
     MeshMaterials out;
     std::vector<const ObjName*> unknown;
@@ -122,6 +157,10 @@ MeshMaterials read_materials(const ObjMesh& mesh, const fs::path& obj_path, Noti
     }
     notice_unknown(unknown, obj_path, notices);
     return out;
+}
+
+MeshMaterials read_materials(const ObjMesh& mesh, const fs::path& obj_path, Notices& notices) {
+    return find_materials(mesh, read_libraries(mesh, obj_path, notices), obj_path, notices);
 }
 
 }  // namespace ctpbench

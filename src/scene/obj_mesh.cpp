@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "scene/obj_text.h"
 #include "scene/triangulate.h"
 
@@ -18,6 +19,9 @@ namespace {
 
 constexpr float kLargestCoordinate = 1e18f;  // its square, and the products of a tree's areas, are finite
 constexpr std::uint32_t kNoMaterial = 0xffffffffu;
+// A polygon of so many is cut into triangles in a second at worst, and the time grows with their cube.
+constexpr std::size_t kMostCorners = 2000;
+constexpr std::size_t kMostLibraries = 1000;  // each is compared with all before it
 
 bool usable(Vec3 p) {  // false for NaN too
     return absolute(p.x) <= kLargestCoordinate && absolute(p.y) <= kLargestCoordinate &&
@@ -34,15 +38,29 @@ bool has_area(Vec3 a, Vec3 b, Vec3 c) {
     return false;
 }
 
+// As push_back(), but refuses up front what would not fit into memory while the vector grows.
+template <class T>
+void append(std::vector<T>& to, const T& value, const std::string& file) {
+    constexpr std::size_t kSmall = std::size_t{1} << 20;
+    if (to.size() == to.capacity() && to.size() >= kSmall)
+        require_memory(2.0 * static_cast<double>(to.size()) * sizeof(T), file, "use a smaller mesh");
+    to.push_back(value);
+}
+
 // Keeps the names that an OBJ's mtllib lines give; the files are read later, by material_library.h.
 class LibraryNames : public tinyobj::MaterialReader {
 public:
-    LibraryNames(ObjText& text, std::vector<ObjName>& names) : text_(text), names_(names) {}
+    LibraryNames(ObjText& text, std::vector<ObjName>& names, const std::string& file)
+        : text_(text), names_(names), file_(file) {}
     bool operator()(const std::string& name, std::vector<tinyobj::material_t>*, std::map<std::string, int>*,
                     std::string*, std::string*) override {
         for (const ObjName& known : names_) {
             if (known.name == name) return false;
         }
+        if (names_.size() == kMostLibraries)
+            throw Error(ExitCode::usage, file_ + ":" + std::to_string(text_.line_number()) +
+                                             ": error: names more than " + std::to_string(kMostLibraries) +
+                                             " material libraries; join them");
         names_.push_back({name, text_.line_number()});
         return false;  // "not read": tinyobjloader then goes on to the line's next name
     }
@@ -50,6 +68,7 @@ public:
 private:
     ObjText& text_;
     std::vector<ObjName>& names_;
+    const std::string& file_;
 };
 
 class ObjParser {
@@ -71,7 +90,7 @@ public:
             static_cast<ObjParser*>(self)->use_material(name);
         };
         std::istream stream(&text_);
-        LibraryNames libraries(text_, out_.libraries);
+        LibraryNames libraries(text_, out_.libraries, file_);
         tinyobj::LoadObjWithCallback(stream, callbacks, this, &libraries);
         if (!out_.mesh.texcoords.empty()) out_.mesh.texcoords.resize(out_.mesh.triangles.size());
         return std::move(out_);
@@ -88,7 +107,7 @@ private:
         const std::optional<Vec3> vertex = parse_vertex(text_.line());
         if (!vertex) fail("a vertex needs three numbers");
         if (out_.mesh.positions.size() == std::numeric_limits<std::int32_t>::max()) fail("too many vertices");
-        out_.mesh.positions.push_back(*vertex);
+        append(out_.mesh.positions, *vertex, file_);
     }
 
     void add_texcoord() {
@@ -100,7 +119,7 @@ private:
         }
         if (texcoords_.size() == std::numeric_limits<std::int32_t>::max())
             fail("too many texture coordinates");
-        texcoords_.push_back(*uv);
+        append(texcoords_, *uv, file_);
     }
 
     // OBJ counts from 1, or backwards from the latest element as -1.
@@ -128,6 +147,9 @@ private:
 
     void add_face(std::span<const tinyobj::index_t> indices) {
         if (indices.size() < 3) fail("a face needs three vertices");
+        if (indices.size() > kMostCorners)
+            fail("a face of " + std::to_string(indices.size()) + " corners; " + std::to_string(kMostCorners) +
+                 " are the most, so export the mesh as triangles");
         corners_.clear();
         uvs_.clear();
         textured_ = false;
@@ -156,10 +178,10 @@ private:
             fail("too many triangles");
         if (textured_) {
             out_.mesh.texcoords.resize(out_.mesh.triangles.size());  // earlier faces may have had none
-            out_.mesh.texcoords.push_back({uvs_[at[0]], uvs_[at[1]], uvs_[at[2]]});
+            append(out_.mesh.texcoords, {uvs_[at[0]], uvs_[at[1]], uvs_[at[2]]}, file_);
         }
-        out_.mesh.triangles.push_back(triangle);
-        out_.mesh.material.push_back(material_);
+        append(out_.mesh.triangles, triangle, file_);
+        append(out_.mesh.material, material_, file_);
     }
 
     void use_material(std::string_view given) {

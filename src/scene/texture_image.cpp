@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/memory.h"
 
 #ifdef CTPBENCH_HAS_OPENIMAGEIO
 #include <OpenImageIO/imageio.h>
@@ -13,6 +14,8 @@ namespace ctpbench {
 namespace {
 
 constexpr std::uint16_t kOne = 65535;
+constexpr double kMostPixels = 1 << 28;  // 6 GiB while it is read
+constexpr int kMostChannels = 4;
 
 std::uint16_t quantize(float value) {  // NaN: 0
     return value > 0.0f ? static_cast<std::uint16_t>(std::lround(std::min(value, 1.0f) * kOne)) : 0;
@@ -41,6 +44,11 @@ TextureImage resized(const TextureImage& image, std::uint32_t width, std::uint32
 TextureImage with_mask(const TextureImage& color, const TextureImage& mask) {
     const std::uint32_t width = std::max(color.width, mask.width);
     const std::uint32_t height = std::max(color.height, mask.height);
+    if (double{1} * width * height > kMostPixels)
+        throw Error(ExitCode::usage, "a texture of " + std::to_string(color.width) + " x " +
+                                         std::to_string(color.height) + " pixels and its mask of " +
+                                         std::to_string(mask.width) + " x " + std::to_string(mask.height) +
+                                         " have more than 2^28 together; scale them down");
     TextureImage out = resized(color, width, height);
     const TextureImage alpha = resized(mask, width, height);
     for (std::size_t i = 0; i < out.texels.size(); ++i) out.texels[i].a = alpha.texels[i].a;
@@ -92,24 +100,33 @@ std::optional<Pixels> read_pixels(const std::filesystem::path& path, std::string
         return std::nullopt;
     }
     const OIIO::ImageSpec& spec = in->spec();
-    if (spec.width > kOne || spec.height > kOne) {
-        throw Error(ExitCode::usage, path.string() + ": error: the texture has " +
-                                         std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-                                         " pixels; 65535 a side is the most, so scale it down");
+    const double count = static_cast<double>(spec.width) * spec.height * std::max(spec.depth, 1);
+    const std::string size = path.string() + ": error: the texture has " + std::to_string(spec.width) +
+                             " x " + std::to_string(spec.height) + " pixels; ";
+    if (spec.width > kOne || spec.height > kOne || spec.depth > 1 || count > kMostPixels)
+        throw Error(ExitCode::usage, size + "65535 a side and 2^28 in all are the most, so scale it down");
+    // A header may claim anything: more channels than colours and alpha are left where they are.
+    const int channels = std::min(spec.nchannels, kMostChannels);
+    const int alpha = spec.alpha_channel < channels ? spec.alpha_channel : -1;
+    if (count < 1 || channels < 1) {
+        why = "it has no pixels";
+        return std::nullopt;
     }
+    require_memory(count * (channels * sizeof(float) + sizeof(Texel)), path.string(),
+                   "scale the texture down");
     Pixels pixels{
         static_cast<std::uint32_t>(spec.width),
         static_cast<std::uint32_t>(spec.height),
-        static_cast<std::size_t>(spec.nchannels),
-        spec.alpha_channel,
+        static_cast<std::size_t>(channels),
+        alpha,
         !spec.format.is_floating_point() &&
             (spec.format == OIIO::TypeDesc::UINT8 || spec.get_string_attribute("oiio:ColorSpace") == "sRGB"),
-        spec.alpha_channel >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0,
+        alpha >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0,
         {}};
     pixels.values.resize(pixels.count() * pixels.channels);
     const auto row = static_cast<OIIO::stride_t>(pixels.width * pixels.channels * sizeof(float));
     float* top = pixels.values.data() + (pixels.height - 1) * pixels.width * pixels.channels;
-    if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, top, OIIO::AutoStride, -row)) {
+    if (!in->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, top, OIIO::AutoStride, -row)) {
         why = in->geterror();
         return std::nullopt;
     }

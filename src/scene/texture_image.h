@@ -21,14 +21,15 @@ struct TextureImage {
 bool can_read_images();
 
 // One channel is grey, two are grey and alpha; without alpha the image is opaque. Nothing if the file cannot
-// be read; `why` then says so. Throws Error(usage) for an image of more than 65,535 pixels a side.
+// be read; `why` then says so. Throws Error(usage) for an image of more than 65,535 pixels a side, 2^28 in
+// all, or more than there is memory for.
 std::optional<TextureImage> read_color_image(const std::filesystem::path& path, std::string& why);
 
 // White, its alpha the mask: the image's alpha channel if that is not opaque everywhere, else its first one.
 std::optional<TextureImage> read_mask_image(const std::filesystem::path& path, std::string& why);
 
 // `color` with the alpha of `mask`, in the larger of their widths and of their heights. Interpolates as
-// rendering does.
+// rendering does. Throws Error(usage) if these are more than 2^28 texels.
 TextureImage with_mask(const TextureImage& color, const TextureImage& mask);
 
 }  // namespace ctpbench

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "kernels/materials/list.h"
 #include "scene/texture_image.h"
 
@@ -62,6 +63,9 @@ private:
             throw Error(ExitCode::usage,
                         "the scene's textures have more than 2^32 texels together; scale its images down");
         }
+        if (arena_.size() + image->texels.size() > arena_.capacity())
+            require_memory(2.0 * static_cast<double>(arena_.size() + image->texels.size()) * sizeof(Texel),
+                           "the scene's textures", "scale its images down");
         const Texture texture{static_cast<std::uint32_t>(arena_.size()),
                               static_cast<std::uint16_t>(image->width),
                               static_cast<std::uint16_t>(image->height)};

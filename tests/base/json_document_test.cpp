@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -105,6 +106,25 @@ TEST(JsonDocument, BoundsNestingAndSize) {
     expect_error(nested(JsonDocument::max_depth + 1), "t.json:1:65: error: nested deeper than 64 levels");
     expect_error(std::string(1'000'000, '['), "t.json:1:65: error: nested deeper than 64 levels");
     expect_error(std::string(JsonDocument::max_bytes + 1, ' '), "t.json:1:1: error: larger than 1024 KiB");
+}
+
+// Each value keeps the keys down to it: half a megabyte of key above a quarter of a million values would be
+// 100 GB.
+TEST(JsonDocument, BoundsTheKeysDownToAValue) {
+    const auto keyed = [](std::size_t bytes) { return "{\"" + std::string(bytes, 'k') + "\": [1, 2]}"; };
+    EXPECT_EQ(error_of(keyed(JsonDocument::max_pointer - 1)), "no error");
+    expect_error(keyed(JsonDocument::max_pointer),
+                 "t.json:1:2: error: the keys down to here have more than 512");
+    const std::string half(300, 'k');
+    expect_error("{\"" + half + "\":\n {\"" + half + "\": 1}}", "t.json:2:3: error: the keys down to here");
+}
+
+TEST(JsonDocument, TellsTheFirstErrorsAlone) {
+    std::string text = "{\"a\": 1";
+    for (std::size_t i = 0; i < 60'000; ++i) text += ", \"a\": 1";
+    const std::string errors = error_of(text + "}");
+    EXPECT_EQ(static_cast<std::size_t>(std::count(errors.begin(), errors.end(), '\n')) + 1,
+              JsonDocument::max_errors);
 }
 
 TEST(JsonDocument, LoadsFilesAndNamesTheFileThatItCannot) {

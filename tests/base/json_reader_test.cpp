@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "base/error.h"
 
 namespace ctpbench {
@@ -91,7 +94,7 @@ TEST(JsonReader, ReportsWrongTypesWithWhatWasFound) {
     std::string text;
     Vec3 vector{};
     const std::string error = error_of(
-        "{\"flag\": 1,\n\"number\": 1e3,\n\"real\": \"1\",\n\"text\": null,\n\"vector\": [1, 2],\n"
+        "{\"flag\": 1,\n\"number\": 1e-3,\n\"real\": \"1\",\n\"text\": null,\n\"vector\": [1, 2],\n"
         "\"vector2\": [1, \"y\", false],\n\"object\": [3],\n\"list\": {}}",
         [&](const JsonObject& root) {
             root.get("flag", flag);
@@ -103,18 +106,61 @@ TEST(JsonReader, ReportsWrongTypesWithWhatWasFound) {
             root.object("object");
             root.list("list");
         });
-    EXPECT_EQ(
-        error,
-        "t.json:1:10: error: /flag: expected true or false, found 1\n"
-        "t.json:2:11: error: /number: expected an integer written without point or exponent, found 1000.0\n"
-        "t.json:3:9: error: /real: expected a number, found \"1\"\n"
-        "t.json:4:9: error: /text: expected text in double quotes, found null\n"
-        "t.json:5:11: error: /vector: expected a list of three numbers, found a list of 2\n"
-        "t.json:6:16: error: /vector2/1: expected a number, found \"y\"\n"
-        "t.json:6:21: error: /vector2/2: expected a number, found false\n"
-        "t.json:7:11: error: /object: expected an object, found a list of 1\n"
-        "t.json:8:9: error: /list: expected a list, found an object");
+    EXPECT_EQ(error,
+              "t.json:1:10: error: /flag: expected true or false, found 1\n"
+              "t.json:2:11: error: /number: expected an integer, found 0.001\n"
+              "t.json:3:9: error: /real: expected a number, found \"1\"\n"
+              "t.json:4:9: error: /text: expected text in double quotes, found null\n"
+              "t.json:5:11: error: /vector: expected a list of three numbers, found a list of 2\n"
+              "t.json:6:16: error: /vector2/1: expected a number, found \"y\"\n"
+              "t.json:6:21: error: /vector2/2: expected a number, found false\n"
+              "t.json:7:11: error: /object: expected an object, found a list of 1\n"
+              "t.json:8:9: error: /list: expected a list, found an object");
     EXPECT_EQ(vector, (Vec3{0, 0, 0}));
+}
+
+TEST(JsonReader, TakesAnIntegerHoweverItIsWritten) {
+    std::int32_t a = 0, b = 0;
+    std::uint64_t c = 0, d = 7;
+    EXPECT_EQ(error_of("{\"a\": 1e3, \"b\": -2147483648.0, \"c\": 18446744073709549568.0}",
+                       [&](const JsonObject& root) {
+                           root.get("a", a);
+                           root.get("b", b);
+                           root.get("c", c);
+                       }),
+              "no error");
+    EXPECT_EQ(a, 1000);
+    EXPECT_EQ(b, std::numeric_limits<std::int32_t>::min());
+    EXPECT_EQ(c, 18'446'744'073'709'549'568u);
+    // One more than the type has.
+    EXPECT_EQ(error_of("{\"a\": 2147483648.0, \"d\": 18446744073709551616}",
+                       [&](const JsonObject& root) {
+                           root.get("a", a);
+                           root.get("d", d);
+                       }),
+              "t.json:1:7: error: /a: must be from -2147483648 to 2147483647, found 2147483648.0\n"
+              "t.json:1:26: error: /d: must be from 0 to 18446744073709551615, found 1.8446744073709552e+19");
+    EXPECT_EQ(d, 7u);
+}
+
+// A megabyte of mistakes: each has to be looked up in it.
+TEST(JsonReader, TellsTheFirstMistakesAlone) {
+    std::string text = "{\"a\": 1";
+    for (int i = 0; i < 60'000; ++i) text += ", \"x" + std::to_string(i) + "\": 1";
+    const std::string errors = error_of(text + "}", [](const JsonObject& root) { root.has("a"); });
+    EXPECT_EQ(static_cast<std::size_t>(std::count(errors.begin(), errors.end(), '\n')),
+              JsonDocument::max_errors);
+    EXPECT_TRUE(errors.ends_with("t.json: error: there may be more; these are the first found")) << errors;
+}
+
+TEST(JsonReader, KeysThatAreDataAreAllKnown) {
+    std::string text = "{\"map\": {\"k\": {}";
+    for (int i = 0; i < 60'000; ++i) text += ", \"k" + std::to_string(i) + "\": {}";
+    std::size_t count = 0;
+    EXPECT_EQ(
+        error_of(text + "}}", [&](const JsonObject& root) { count = root.object("map").members().size(); }),
+        "no error");
+    EXPECT_EQ(count, 60'001u);
 }
 
 TEST(JsonReader, ReportsTheAllowedRange) {
@@ -210,9 +256,7 @@ TEST(JsonReader, NamesTheOptionThatSetAWrongValue) {
         reader.finish();
         ADD_FAILURE();
     } catch (const Error& error) {
-        EXPECT_STREQ(
-            error.what(),
-            "--set /a=x: error: /a: expected an integer written without point or exponent, found \"x\"");
+        EXPECT_STREQ(error.what(), "--set /a=x: error: /a: expected an integer, found \"x\"");
     }
 }
 

@@ -140,7 +140,7 @@ TEST(CommandLine, OtherActions) {
 TEST(CommandLine, ErrorsHaveAHint) {
     EXPECT_EQ(error_of({}),
               "ctpbench: error: no experiment named; give one with --config, or see what there is with "
-              "--list and --help");
+              "--list, --doctor and --help");
     EXPECT_EQ(error_of({"--confg", "c.json"}),
               "ctpbench: error: unknown argument --confg; did you mean --config?");
     EXPECT_EQ(error_of({"--config", "c.json", "--xyzzy"}),

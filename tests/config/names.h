@@ -11,7 +11,8 @@
 
 namespace ctpbench {
 
-inline KnownNames test_names() {
+// Those that need nothing but the reader.
+inline KnownNames reader_names() {
     KnownNames known;
     known.strategies = {"ctp", "std_variant", "oop", "oop_arena", "restart", "typed_leaves", "typed_phases"};
     known.yardsticks = {{"embree_robust", "cpu"}, {"embree_default", "cpu"}, {"while_while", "cuda"}};
@@ -19,8 +20,7 @@ inline KnownNames test_names() {
         for (const char* mode : {"", "_robust"})
             known.yardsticks.push_back({std::string(call) + mode, "cpu"});
     known.traversals = {"single", "interleaved"};
-    known.types = type_choices();
-    known.available = [](const Contender& c) { return traverses(c.strategy, c.traversal, c.backend); };
+    known.types = {"scene", "all", "synthetic_1"};
     known.methods = {"watertight", "paper", "fast", "float64"};
     known.builders = {"quality", "paper"};
     known.triangle_tests = {"woop", "moeller_trumbore", "pluecker", "baldwin_weber", "moeller_trumbore_f64"};
@@ -29,6 +29,13 @@ inline KnownNames test_names() {
     known.offsets = {"waechter_binder", "constant_epsilon", "relative_epsilon", "exclude_id"};
     known.stress = {{"edges", {"triangle", "box"}}, {"far_spheres", {"sphere"}}, {"leaving", {"offset"}}};
     known.shades = {"ctp", "std_variant", "oop", "oop_arena", "sort", "sort_restored", "queues"};
+    return known;
+}
+
+inline KnownNames test_names() {
+    KnownNames known = reader_names();
+    known.types = type_choices();
+    known.available = [](const Contender& c) { return traverses(c.strategy, c.traversal, c.backend); };
     return known;
 }
 

@@ -1,4 +1,5 @@
 // Broken input gets an error that names file, place and remedy, and a documented exit code.
+#include "base/memory.h"
 #include "run_program.h"
 
 namespace ctpbench::test {
@@ -91,6 +92,39 @@ TEST_F(BadInput, NaNVerticesAreDroppedAndCounted) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
     EXPECT_NE(read(folder_ / "r/meta.json").find("\"dropped_triangles\": 1"), std::string::npos);
     for (const auto& row : read_csv(folder_ / "r/rows.csv")) EXPECT_EQ(row.at("triangles"), "1");
+}
+
+TEST_F(BadInput, MoreThanFitsIntoMemoryIsRefusedBeforeItIsTried) {
+    const double pixels = 16384.0 * 16384.0, spheres = 5e7;
+    if (static_cast<double>(available_memory_bytes()) > 100 * pixels + 200 * spheres)
+        GTEST_SKIP() << "this machine has memory for all that a config may ask for";
+    write("c.json", R"({"schema_version": 1, "experiment": "x", "width": 16384, "height": 16384,
+        "matrix": {"scene": "smoke", "spheres": 50000000, "strategy": ["ctp", "oop", "restart"]}})");
+    expect("--config $D/c.json --out $D/r", 2,
+           {"smoke/50000000", "needs about", "bytes, but only", "fewer spheres"});
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "r"));
+    expect("render smoke --image $D/i.exr --width 16384 --height 16384 --spheres 50000000", 2,
+           {"the picture", "needs about"});
+}
+
+TEST_F(BadInput, ConfigsThatNeverEnd) {
+    expect("--config /dev/zero", 2, {"/dev/zero", "larger than 1024 KiB"});
+    const Outcome piped = run_shell("yes '[' | \"$P\" --config /dev/stdin");
+    EXPECT_EQ(piped.exit_code, 2);
+    EXPECT_NE(piped.output.find("nested deeper than 64"), std::string::npos) << piped.output;
+}
+
+TEST_F(BadInput, AMeshThatIsAPipe) {
+    std::system(("mkfifo '" + (folder_ / "mesh.obj").string() + "'").c_str());
+    write("broken.json", R"({"schema_version": 1, "name": "broken", "mesh": {"file": "mesh.obj"}})");
+    expect(config_for("broken"), 3, {"mesh.obj"});
+    expect("render $D/mesh.obj --image $D/i.exr", 3, {"mesh.obj"});
+}
+
+TEST_F(BadInput, ATextureOutsideTheMeshsFolder) {
+    write("a.mtl", "newmtl a\nmap_Kd ../../../etc/passwd\n");
+    expect(obj("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n"), 2,
+           {"mesh.obj", "\"../../../etc/passwd\"", "outside the OBJ file's folder"});
 }
 
 TEST_F(BadInput, OutputThatCannotBeWritten) {

@@ -1,5 +1,7 @@
 #include "scene/material_library.h"
 
+#include <sys/stat.h>
+
 #include "kernels/materials/list.h"
 #include "tests/scene/files.h"
 
@@ -112,6 +114,23 @@ TEST_F(MaterialLibrary, RefusesImagesOutsideTheFolder) {
                  "material \"red\": its texture \"../../x.png\" is outside");
     EXPECT_ERROR(textures_of("map_Kd ..\\..\\x.png\n"), ExitCode::usage, "is outside");
     EXPECT_ERROR(textures_of("map_d /etc/x.png\n"), ExitCode::usage, "is outside");
+}
+
+TEST_F(MaterialLibrary, APipeIsNotWaitedFor) {
+    ASSERT_EQ(::mkfifo((folder / "a.mtl").c_str(), 0600), 0);
+    read_for("mtllib a.mtl\n");
+    EXPECT_TRUE(has_notice(notices, "\"a.mtl\" cannot be read"));
+}
+
+TEST_F(MaterialLibrary, RefusesMoreMaterialsThanFitIntoMemory) {
+    std::string statements;
+    for (int i = 0; i < 50'001; ++i) statements += "newmtl a\n";
+    write("a.mtl", statements);
+    EXPECT_ERROR(read_for("mtllib a.mtl\n"), ExitCode::usage,
+                 "material library \"a.mtl\": a mesh has more than 50000 materials with it");
+    const fs::path large = write("b.mtl", "newmtl a\n");
+    fs::resize_file(large, (std::uintmax_t{64} << 20) + 1);  // a hole: it takes no space
+    EXPECT_ERROR(read_for("mtllib b.mtl\n"), ExitCode::usage, "\"b.mtl\" has 67108865 bytes");
 }
 
 TEST_F(MaterialLibrary, FacesBeforeAnyMaterialAreGreyWithoutANotice) {

@@ -172,6 +172,28 @@ TEST(ObjMesh, NamesTheLineOfABrokenTextureIndex) {
     expect_usage_error(kTriangle + "vt 0 0\nf 1/2147483647 2 3\n", "texture coordinate 2147483647");
 }
 
+// The worst for cutting ears: a comb, whose corners are blocked by each other.
+TEST(ObjMesh, BoundsThePolygonsItCuts) {
+    const auto comb = [](int corners) {
+        std::string text, face = "f";
+        for (int i = 0; i < corners; ++i) {
+            const int tooth = i < corners / 2 ? i : corners - 1 - i;
+            text += "v " + std::to_string(tooth) + " " +
+                    std::to_string(tooth % 2 * 1000 + (i < corners / 2 ? 0 : 1)) + " 0\n";
+            face += " " + std::to_string(i + 1);
+        }
+        return text + face + "\n";
+    };
+    EXPECT_GT(parse(comb(2000)).mesh.triangles.size(), 1000u);
+    expect_usage_error(comb(2001), "a.obj:2002: a face of 2001 corners; 2000 are the most");
+}
+
+TEST(ObjMesh, BoundsItsLibraries) {
+    std::string names;
+    for (int i = 0; i < 1001; ++i) names += "mtllib " + std::to_string(i) + ".mtl\n";
+    expect_usage_error(names + kTriangle + "f 1 2 3\n", "a.obj:1001: error: names more than 1000 material");
+}
+
 TEST(ObjMesh, SkipsWhatItDoesNotNeed) {
     const ObjMesh obj =
         parse("o thing\ng a b\ns 1\nvn 0 0 1\nvt 0 0\n" + kTriangle + "l 1 2\np 1\nf 1 2 3\nunknown x\n");

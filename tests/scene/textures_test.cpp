@@ -1,6 +1,8 @@
 // Images that the test writes itself, so it needs OpenImageIO; without it only the last test runs.
 #include "scene/textures.h"
 
+#include <sys/stat.h>
+
 #include <cmath>
 
 #include "kernels/materials/list.h"
@@ -138,7 +140,33 @@ TEST_F(TextureImages, AnUnreadableFileSaysWhy) {
 
 TEST_F(TextureImages, TooWideAnImageIsAnError) {
     EXPECT_ERROR(read_color_image(write_image("a.png", 65536, 1, 1, Bytes(65536)), why), ExitCode::usage,
-                 "a.png: error: the texture has 65536 x 1 pixels; 65535 a side is the most");
+                 "a.png: error: the texture has 65536 x 1 pixels; 65535 a side and 2^28 in all are the most");
+}
+
+// Of a header alone: Netpbm's says the size in words.
+TEST_F(TextureImages, AHeaderThatClaimsTooMuchIsAnErrorBeforeAnythingIsRead) {
+    EXPECT_ERROR(read_color_image(write("a.ppm", "P6\n60000 60000\n255\n"), why), ExitCode::usage,
+                 "a.ppm: error: the texture has 60000 x 60000 pixels; 65535 a side and 2^28");
+    EXPECT_ERROR(read_mask_image(write("b.pgm", "P5\n60000 60000\n255\n"), why), ExitCode::usage,
+                 "b.pgm: error: the texture has 60000 x 60000 pixels");
+    EXPECT_FALSE(read_color_image(write("c.ppm", "P6\n64 64\n255\nabc"), why));
+}
+
+TEST_F(TextureImages, AMaskThatMakesItTooLargeIsAnError) {
+    const TextureImage wide{20000, 1, std::vector<Texel>(20000)}, high{1, 20000, std::vector<Texel>(20000)};
+    EXPECT_ERROR(with_mask(wide, high), ExitCode::usage,
+                 "20000 x 1 pixels and its mask of 1 x 20000 have more than 2^28 together");
+}
+
+TEST_F(TextureImages, ChannelsBehindColoursAndAlphaAreLeftOut) {
+    const TextureImage image = color(write_image("a.tif", 1, 1, 6, Bytes{255, 0, 255, 255, 0, 0}));
+    expect_texel(image.texels[0], kOne, 0, kOne, kOne);
+}
+
+TEST_F(TextureImages, APipeIsNoImage) {
+    ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+    EXPECT_FALSE(read_color_image(folder / "pipe.png", why));
+    EXPECT_FALSE(read_color_image("/dev/zero", why));
 }
 
 TEST_F(TextureImages, MaterialsShareAPairAndKdStays) {
