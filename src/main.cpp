@@ -3,7 +3,6 @@
 #include <cctype>
 #include <cstdio>
 #include <exception>
-
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
