@@ -48,5 +48,10 @@ TEST(CsvTable, NamesThePlaceOfAnError) {
     EXPECT_THROW(CsvTable::load("/nonexistent/rows.csv"), Error);
 }
 
+TEST(CsvTable, WhatMayNeverEndIsNotRead) {
+    EXPECT_THROW(CsvTable::load("/dev/zero"), Error);
+    EXPECT_THROW(CsvTable::load(testing::TempDir()), Error);
+}
+
 }  // namespace
 }  // namespace ctpbench
