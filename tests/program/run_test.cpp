@@ -200,14 +200,6 @@ TEST_F(Run, DryRunSaysHowLongItWouldTakeAndLeavesNothing) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "r"));
     const Outcome shard = run(std::string("--dry-run --shard 2/2") + kSmall);
     EXPECT_EQ(shard.output.find("typed_leaves"), std::string::npos) << "smoke has one workload";
-    write("c.json",
-          R"({"schema_version": 1, "experiment": "x", "matrix": {"scene": "gone", "strategy": "ctp"}})");
-    write("gone.json", R"({"schema_version": 1, "name": "gone", "mesh": {"file": "no/such.obj"},
-        "camera": {"eye": [0, 0, 3], "target": [0, 0, 0], "up": [0, 1, 0], "fov": 60}})");
-    const Outcome without = run("--dry-run --config $D/c.json --scene-dir $D");
-    EXPECT_EQ(without.exit_code, 0);
-    EXPECT_NE(without.output.find("no estimate: "), std::string::npos) << without.output;
-    EXPECT_NE(without.output.find("no/such.obj"), std::string::npos) << without.output;
 }
 
 TEST_F(Run, ListAndVersionMeasureNothing) {
