@@ -119,7 +119,7 @@ public:
         write_tables(folder_, config_, results_, backend_.threads());
         write_meta(folder_, meta_of(config_, record_, results_,
                                     code == ExitCode::interrupted ? "interrupted" : "complete"));
-        if (code == ExitCode::interrupted)
+        if (code == ExitCode::interrupted && !options_.on_workload)
             progress_.note("interrupted: what was measured is in " + folder_.string());
         const std::string table =
             stability_ ? stability_text(results_.stability) : table_text(config_, results_);

@@ -29,7 +29,7 @@ struct RunOptions {
     std::string command;  // recorded, so that the run can be repeated
     Shard shard;
     bool resume = false;  // goes on with the run in `out`, if there is one
-    // If any, called after each workload.
+    // If any, called after each workload: what is measured then is time, and nobody will look at the results.
     std::function<void(const Workload&, const WorkSeconds&)> on_workload;
 };
 

@@ -1,6 +1,7 @@
 #include "report/output_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -49,6 +50,13 @@ void sync_folder_of(const fs::path& path) {
 GrowingFile::GrowingFile(fs::path path, std::uint64_t keep) : path_(std::move(path)), size_(keep) {
     file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     if (file_ < 0) cannot_write(path_);
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        ::close(file_);
+        throw Error(ExitCode::output,
+                    path_.string() +
+                        ": error: another process writes to it; wait until that has ended, or "
+                        "name another folder with --out");
+    }
     if (::ftruncate(file_, static_cast<off_t>(keep)) != 0 ||
         ::lseek(file_, static_cast<off_t>(keep), SEEK_SET) < 0) {
         const int error = errno;

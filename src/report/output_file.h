@@ -12,7 +12,8 @@ namespace ctpbench {
 // A file that grows. All of it throws Error(output), naming the file, when it cannot be written.
 class GrowingFile {
 public:
-    // Keeps the first `keep` bytes of what is there, and makes the file if it is not.
+    // Keeps the first `keep` bytes of what is there, and makes the file if it is not. No other process can
+    // have it open as one of these at the same time.
     explicit GrowingFile(std::filesystem::path path, std::uint64_t keep = 0);
     ~GrowingFile();
     GrowingFile(const GrowingFile&) = delete;

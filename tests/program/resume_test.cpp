@@ -87,6 +87,17 @@ TEST_F(Resume, MeasuresAContestAgainThatWasInterrupted) {
     EXPECT_EQ(read_csv(at("rows.csv")).size(), 1000u * 2 * 3);
 }
 
+TEST_F(Resume, TwoProcessesDoNotWriteToOneFolder) {
+    const Outcome outcome = run_shell(
+        "D='" + folder_.string() +
+        "'; R=\"$P --config $D/c.json --out $D/r --quiet --rounds 10000\"; $R & pid=$!; "
+        "for i in $(seq 600); do [ \"$(wc -l <$D/r/rows.csv 2>/dev/null || echo 0)\" -gt 5 ] && break; "
+        "sleep 0.02; done; $R --resume; echo \"code $?\"; kill -9 $pid; wait $pid");
+    EXPECT_NE(outcome.output.find("rows.csv: error: another process writes to it"), std::string::npos)
+        << outcome.output;
+    EXPECT_NE(outcome.output.find("code 8"), std::string::npos) << outcome.output;
+}
+
 TEST_F(Resume, OfACompleteRunLeavesEveryTableAsItIs) {
     struct Case {
         const char* config;
