@@ -106,10 +106,10 @@ ExitCode estimate(const Config& config, const std::vector<Cell>& cells, RunOptio
     const CpuBackend backend(static_cast<int>(config.threads));
     const Pilot pilot = pilot_of(config, ours, backend.threads());
     const ScratchFolder scratch;
-    double total = 0.0;
+    double total = 0.0, in_workloads = 0.0;
     options.on_workload = [&](const Workload& workload, const WorkSeconds& measured) {
         const double seconds = pilot.seconds(measured);
-        total += seconds;
+        total += seconds, in_workloads += measured.total();
         std::printf("%-32s about %9s, of it scene and trees %s\n", workload.name().c_str(),
                     shown(seconds).c_str(), shown(measured.once).c_str());
         std::fflush(stdout);
@@ -120,6 +120,7 @@ ExitCode estimate(const Config& config, const std::vector<Cell>& cells, RunOptio
         ExitCode code = ExitCode::ok;
         if (!ours.empty()) taken = seconds_of([&] { code = run_experiment(pilot.config, ours, options); });
         if (code == ExitCode::interrupted) return code;
+        total += taken - in_workloads;  // tables, and what else a run does once
         std::printf("%-32s about %9s, estimated in %s from one round with 1/%.0f of the rays\n", "all",
                     shown(total).c_str(), shown(taken).c_str(), pilot.rays);
         if (config.max_noise > 0.0) std::printf("rounds go on beyond that until the noise is as asked for\n");

@@ -18,6 +18,7 @@ enum class Work {
 struct WorkSeconds {
     double once = 0.0, rays = 0.0, round = 0.0, reference = 0.0;
 
+    double total() const { return once + rays + round + reference; }
     double& of(Work work) {
         return work == Work::once    ? once
                : work == Work::rays  ? rays
