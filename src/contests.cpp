@@ -15,6 +15,7 @@
 #include "oracle/embree.h"
 #include "report/image.h"
 #include "report/judgement.h"
+#include "report/output_file.h"
 #include "scene_exam.h"
 #include "wavefront/device_demand.h"
 #include "wavefront/methods.h"
@@ -30,7 +31,8 @@ template <class Verify>
 void enter(const RunContext& run, CellResult cell, double share, Verify&& verify) {
     stop_if_interrupted();
     const std::string name = cell.workload.name() + "/" + cell.contender.label();
-    run.progress.step("checking " + cell.contender.label(), kFrame + (kVerified - kFrame) * share);
+    run.progress.step("checking " + cell.contender.label(), kFrame + (kVerified - kFrame) * share,
+                      Work::rays);
     const std::vector<Row> rows = verify(cell);
     if (!cell.valid) run.note(name + ": rejected: " + cell.reason);
     run.results.cells.push_back(std::move(cell));
@@ -51,7 +53,7 @@ void run_rounds(const RunContext& run, Contest& contest, Entrants& entrants) {
     std::string reason;
     for (std::uint32_t round = 0; reason.empty(); ++round) {
         run.progress.step("round " + std::to_string(round + 1) + " of " + std::to_string(config.rounds),
-                          kVerified + (1.0 - kVerified) * rule.done(round, seconds));
+                          kVerified + (1.0 - kVerified) * rule.done(round, seconds), Work::round);
         seconds += seconds_of(
             [&] { run.rows.append(run.results, contest.round(round, entrants, run.results, interrupted)); });
         stop_if_interrupted();
@@ -78,6 +80,13 @@ std::string obstacle(const Contender& c) {
     return "this machine allows " + std::to_string(allowed) + (allowed == 1 ? " thread" : " threads");
 }
 
+// Without its type. `contender`: of whom; empty: of the first.
+std::string picture_name(const Workload& workload, const std::string& contender) {
+    std::string name = workload.name() + (contender.empty() ? "" : "--" + contender);
+    std::replace(name.begin(), name.end(), '/', '-');
+    return name;
+}
+
 // What contenders have accumulated: the first valid one's under the workload's name, and under its own name
 // too each that differs, as those of other methods and backends do.
 void write_images(const RunContext& run, const ContestInput& input,
@@ -87,18 +96,27 @@ void write_images(const RunContext& run, const ContestInput& input,
         const CellResult& cell = run.results.cells[e.cell];
         if (!cell.valid || e.image.size() == 0) continue;
         if (!written.insert(e.image.hash()).second) continue;
-        std::string name = input.workload.name() + (written.size() == 1 ? "" : "--" + cell.contender.label());
-        std::replace(name.begin(), name.end(), '/', '-');
-        for (const char* type : {".exr", ".png"})
+        run.progress.step("writing the picture", 1.0, Work::rays);
+        const std::string name =
+            picture_name(input.workload, written.size() == 1 ? "" : cell.contender.label());
+        for (const char* type : {".exr", ".png"}) {
             write_image(run.folder / (name + type), run.config.width, run.config.height, e.image,
                         input.scene.exposure);
+            sync_file(run.folder / (name + type));
+        }
     }
 }
 
 }  // namespace
 
+bool is_picture_of(const Workload& workload, const std::string& file) {
+    const std::string name = picture_name(workload, "");
+    if (!file.ends_with(".exr") && !file.ends_with(".png")) return false;
+    return file.starts_with(name + ".") || file.starts_with(name + "--");
+}
+
 void record_frame(const RunContext& run, ContestInput& input) {
-    run.progress.step("tracing the reference frame", kFrame);
+    run.progress.step("tracing the reference frame", kFrame, Work::rays);
     ImageStorage image;
     const Contender recording = recording_contender(run.config);
     PipelineMaker(run, input)
@@ -143,7 +161,7 @@ void run_intersect_contest(const RunContext& run, ContestInput& input,
     std::span<Batch> recorded(input.batches);
     std::optional<SceneExam> exam;
     if (input.examined != nullptr) {
-        run.progress.step("finding the exam's answers", kFrame);
+        run.progress.step("finding the exam's answers", kFrame, Work::rays);
         exam.emplace(run, input, *input.examined, recorded.back());
         recorded = recorded.first(recorded.size() - 1);
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "entrants.h"
@@ -12,6 +13,9 @@ namespace ctpbench {
 // Renders the reference's frame and keeps the rays of each bounce, with those of the exam if there is to be
 // one.
 void record_frame(const RunContext& run, ContestInput& input);
+
+// Whether a file of this name is one that the workload's accumulated frames are written to.
+bool is_picture_of(const Workload& workload, const std::string& file);
 
 // Null if no contender is for CUDA. Throws Error(no_backend) if they do not all fit the device's memory;
 // nothing is allocated there before that is known.

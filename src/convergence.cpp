@@ -30,6 +30,7 @@ public:
         enter_all();
         for (std::uint32_t round = 0; round < config().seeds; ++round) {
             what_ = "seed " + std::to_string(round + 1) + " of " + std::to_string(config().seeds);
+            work_ = Work::round;
             if (!contest.round(round, entrants_, run_.results, [&] { return next_frame(); })) break;
         }
         contest.conclude(entrants_, run_.results);
@@ -41,7 +42,7 @@ private:
 
     // Shows that a frame comes next. True after Ctrl-C.
     bool next_frame() {
-        run_.progress.step(what_, std::min(kLoaded + (1.0 - kLoaded) * done_++ / frames_, 1.0));
+        run_.progress.step(what_, std::min(kLoaded + (1.0 - kLoaded) * done_++ / frames_, 1.0), work_);
         return interrupted();
     }
 
@@ -54,7 +55,7 @@ private:
     // The default methods, and as many bounces as any contender has. The seeds of the pictures come first,
     // then those of the reference's two halves.
     ImageStorage reference_half(std::uint32_t half) {
-        what_ = "rendering the reference";
+        what_ = "rendering the reference", work_ = Work::reference;
         Contender best;
         best.backend = "cpu", best.strategy = contenders_.front().strategy;
         best.methods = Watertight::name, best.shade = kRecordingShade;
@@ -73,7 +74,7 @@ private:
     void enter_all() {
         FrameContest check(input_.view.geometry(), run_.backend, input_.oracle, config().oracle_rays);
         for (const Contender& c : contenders_) {
-            what_ = "checking " + c.label();
+            what_ = "checking " + c.label(), work_ = Work::rays;
             if (next_frame()) throw Interrupted{};
             CellResult cell = cell_of(input_, c);
             const std::size_t number = run_.results.cells.size();
@@ -93,6 +94,7 @@ private:
     PipelineMaker pipelines_;
     std::vector<ConvergenceEntrant> entrants_;
     std::string what_;
+    Work work_ = Work::reference;
     double done_ = 0.0, frames_;
 };
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
@@ -13,20 +14,12 @@
 #include "measure/scene_result.h"
 #include "oracle/embree.h"
 #include "report/console.h"
-#include "report/convergence.h"
 #include "report/figures.h"
-#include "report/frame_tables.h"
-#include "report/growth.h"
-#include "report/image.h"
+#include "report/finished.h"
 #include "report/meta.h"
-#include "report/pareto.h"
-#include "report/peers.h"
-#include "report/profile.h"
-#include "report/summary.h"
-#include "report/tables.h"
-#include "report/tree_tables.h"
-#include "report/type_tables.h"
 #include "run_context.h"
+#include "run_folder.h"
+#include "run_tables.h"
 #include "stability_study.h"
 #include "wavefront/forest.h"
 #include "wavefront/interleaved/intersector.h"
@@ -51,108 +44,121 @@ std::string run_id_of(const Config& config) {
     return config.experiment + "-" + text;
 }
 
+RunRecord record_of(const Config& config, const std::vector<Cell>& cells, const RunOptions& options,
+                    int threads) {
+    RunRecord record;
+    record.run_id = run_id_of(config), record.command = options.command;
+    record.shard = options.shard, record.isa = options.isa, record.threads = threads;
+    record.workloads = plan(config, cells, options.isa, threads);
+    const bool on_cuda = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
+        return cell.contender && cell.contender->backend == "cuda";
+    });
+    if (on_cuda) record.device = use_cuda_device(options.device);
+    return record;
+}
+
+Scene load(const Workload& workload, const Config& config, const RunOptions& options, Notices& notices) {
+    SceneRequest request;
+    request.name = workload.scene;
+    request.choice = options.scenes;
+    request.scene_dirs = options.scene_dirs;
+    request.spheres = workload.spheres;
+    request.sphere_radius = static_cast<float>(workload.sphere_radius);
+    request.seed = config.seed;
+    return load_scene(request, notices);
+}
+
 // One run of one config: what outlives a workload.
 class Run {
 public:
-    Run(const Config& config, const RunOptions& options, std::optional<CudaDevice> device)
+    Run(const Config& config, const std::vector<Cell>& cells, const RunOptions& options)
         : config_(config),
           options_(options),
-          device_(std::move(device)),
-          id_(run_id_of(config)),
-          folder_(options.out.empty() ? std::filesystem::path("results") / id_ : options.out),
           backend_(static_cast<int>(config.threads)),
+          record_(record_of(config, cells, options, backend_.threads())),
+          folder_(options.out.empty() ? std::filesystem::path("results") / record_.run_id : options.out),
           progress_(options.quiet),
-          rows_(prepared(folder_, config), id_, config.experiment, backend_.threads()),
+          kept_(open_run_folder(folder_, config, record_, options.resume,
+                                [&](const Workload& w) {
+                                    Notices unheard;
+                                    return describe(load(w, config, options, unheard), w.spheres);
+                                })),
+          rows_(folder_, record_.run_id, config.experiment, backend_.threads(), kept_.rows_bytes),
+          finished_(folder_, kept_.bytes),
           context_{config_, folder_,  backend_,      pools_,     progress_,
                    rows_,   results_, options.quiet, options.isa} {
-        if (config.study == Study::stability) stability_.emplace(folder_);
-        write_meta("running");
+        for (const FinishedWorkload& w : kept_.workloads) append(results_, w.results);
+        if (config.study == Study::stability) {
+            stability_.emplace(folder_);
+            for (const StabilityRow& row : results_.stability) stability_->append(row);
+        }
         if (!options.notice.empty()) context_.note(options.notice);
     }
 
-    ExitCode run(const std::vector<WorkloadCells>& workloads) {
+    ExitCode run() {
         if (config_.measure && !stability_ && embree_version().empty())
             context_.note(
                 "this program was built without Embree: hits are compared among contenders, but no oracle "
                 "checks them");
+        if (!record_.resumed.empty() && !options_.quiet) progress_.note(resumed_text());
         ExitCode code = ExitCode::ok;
         try {
-            for (std::size_t i = 0; i < workloads.size(); ++i) {
-                progress_.start_workload(i, workloads.size(), workloads[i].workload.name());
-                run_workload(workloads[i]);
-            }
+            run_workloads(pending());
         } catch (const Interrupted&) {
             code = ExitCode::interrupted;
+        } catch (const Error& error) {
+            if (error.code() != ExitCode::output) throw;
+            throw Error(error.code(),
+                        std::string(error.what()) +
+                            "; workloads that were finished are kept, and the same command with "
+                            "--resume goes on after them");
         }
         if (code == ExitCode::ok)
             for (const CellResult& c : results_.cells)
                 if (!c.valid) code = ExitCode::oracle;
-        write_tables();
-        write_meta(code == ExitCode::interrupted ? "interrupted" : "complete");
-        if (code == ExitCode::interrupted)
+        write_tables(folder_, config_, results_, backend_.threads());
+        write_meta(folder_, meta_of(config_, record_, results_,
+                                    code == ExitCode::interrupted ? "interrupted" : "complete"));
+        if (code == ExitCode::interrupted && !options_.on_workload)
             progress_.note("interrupted: what was measured is in " + folder_.string());
         const std::string table =
-            stability_ ? stability_text(stability_rows_) : table_text(config_, results_);
+            stability_ ? stability_text(results_.stability) : table_text(config_, results_);
         if (!options_.quiet) std::printf("%s\nresults: %s\n", table.c_str(), folder_.string().c_str());
         return code;
     }
 
 private:
-    // Before anything is measured: whether what will be measured can be written.
-    static const std::filesystem::path& prepared(const std::filesystem::path& folder, const Config& config) {
-        create_output_folder(folder);
-        if (config.images) require_image_output(folder / "image.exr");
-        return folder;
-    }
-    void write_meta(const std::string& state) {
-        write_file(folder_ / "meta.json",
-                   meta_json(config_, results_, id_, state, options_.command, backend_.threads(),
-                             device_ ? &*device_ : nullptr, options_.isa));
-    }
-    void write_tables() {
-        write_file(folder_ / "trees.csv", trees_csv(results_));
-        if (config_.measure) write_file(folder_ / "summary.csv", summary_csv(config_, results_));
-        if (config_.study == Study::convergence) {
-            write_file(folder_ / "convergence.csv", convergence_csv(config_, results_));
-            write_file(folder_ / "convergence_fits.csv", convergence_fits_csv(config_, results_));
-        }
-        for (const std::string& table : config_.tables) {
-            if (table == "table2") {
-                write_file(folder_ / "table2.csv", table2_csv(results_));
-                write_file(folder_ / "table2.md", table2_markdown(results_));
-            }
-            if (table == "table3") {
-                write_file(folder_ / "table3.csv", table3_csv(results_));
-                write_file(folder_ / "table3.md", table3_markdown(results_));
-            }
-            if (table == "table1") {
-                write_file(folder_ / "table1.csv", table1_csv(results_));
-                write_file(folder_ / "table1.md", table1_markdown(results_));
-            }
-            if (table == "narrowing") write_file(folder_ / "narrowing.csv", narrowing_csv(results_));
-            if (table == "types") write_file(folder_ / "types.csv", types_csv(results_));
-            if (table == "pareto") write_file(folder_ / "pareto.csv", pareto_csv(config_, results_));
-            if (table == "profile") write_file(folder_ / "profile.csv", profile_csv(results_));
-            if (table == "peers") write_file(folder_ / "peers.csv", peers_csv(results_, backend_.threads()));
-            if (table == "growth")
-                write_file(folder_ / "growth.csv", growth_csv(results_, backend_.threads()));
-            if (table == "figure4") write_file(folder_ / "figure4.csv", figure4_csv(config_, results_));
-        }
+    std::string resumed_text() const {
+        std::string text = "resumed: " + std::to_string(kept_.workloads.size()) + " finished workloads in " +
+                           folder_.string() + " are kept";
+        if (kept_.rows_bytes > 0 && kept_.rows_cut > 0)
+            text += ", and " + std::to_string(kept_.rows_cut) +
+                    " bytes of rows.csv are cut, of a workload that was not finished";
+        return text;
     }
 
-    Scene load(const Workload& workload) {
-        progress_.step("loading the scene", 0.0);
-        SceneRequest request;
-        request.name = workload.scene;
-        request.choice = options_.scenes;
-        request.scene_dirs = options_.scene_dirs;
-        request.spheres = workload.spheres;
-        request.sphere_radius = static_cast<float>(workload.sphere_radius);
-        request.seed = config_.seed;
-        Notices notices;
-        Scene scene = load_scene(request, notices);
-        for (const std::string& n : notices) context_.note(n);
-        return scene;
+    // Of this process' share, what has not been finished.
+    std::vector<const PlannedWorkload*> pending() const {
+        std::vector<const PlannedWorkload*> list;
+        for (std::size_t i = 0; i < record_.workloads.size(); ++i) {
+            const PlannedWorkload& w = record_.workloads[i];
+            const bool done = std::any_of(kept_.workloads.begin(), kept_.workloads.end(),
+                                          [&](const FinishedWorkload& f) { return f.hash == w.hash; });
+            if (record_.shard.has(i) && !done) list.push_back(&w);
+        }
+        return list;
+    }
+
+    void run_workloads(const std::vector<const PlannedWorkload*>& workloads) {
+        for (std::size_t i = 0; i < workloads.size(); ++i) {
+            const WorkloadCells& cells = workloads[i]->cells;
+            progress_.start_workload(i, workloads.size(), cells.workload.name());
+            const ResultsMark before(results_);
+            const std::uint64_t rows_before = rows_.file().size();
+            run_workload(cells);
+            finished_.append(workloads[i]->hash, rows_.file(), rows_before, before.since(results_));
+            if (options_.on_workload) options_.on_workload(cells.workload, progress_.work());
+        }
     }
 
     // What the workload's contenders traverse.
@@ -204,8 +210,11 @@ private:
 
     void run_workload(const WorkloadCells& cells) {
         stop_if_interrupted();
-        if (stability_) return run_stability_study(context_, cells, *stability_, stability_rows_);
-        const Scene scene = load(cells.workload);
+        if (stability_) return run_stability_study(context_, cells, *stability_);
+        progress_.step("loading the scene", 0.0);
+        Notices notices;
+        const Scene scene = load(cells.workload, config_, options_, notices);
+        for (const std::string& n : notices) context_.note(n);
         SceneResult& in_results = results_.scenes.emplace_back(describe(scene, cells.workload.spheres));
         stop_if_interrupted();
         const Forest forest = plant(cells, scene);
@@ -236,7 +245,7 @@ private:
     }
 
     void profile(ContestInput& input) {
-        progress_.step("profiling rays in flight", kTrees);
+        progress_.step("profiling rays in flight", kTrees, Work::rays);
         const FlightProfiler profiler(backend_, input.scenes.layout(kTypesOfScene), options_.isa);
         for (Batch& batch : input.batches) {
             stop_if_interrupted();
@@ -248,17 +257,17 @@ private:
 
     const Config& config_;
     const RunOptions& options_;
-    std::optional<CudaDevice> device_;  // none: no cell is for CUDA
-    std::string id_;
-    std::filesystem::path folder_;
     CpuBackend backend_;
     ThreadPools pools_{backend_};
+    RunRecord record_;
+    std::filesystem::path folder_;
     Progress progress_;
     Results results_;
+    FinishedLog kept_;  // from before, if the run is resumed
     RowsFile rows_;
+    FinishedFile finished_;
     RunContext context_;
     std::optional<StabilityFile> stability_;  // of a stability study
-    std::vector<StabilityRow> stability_rows_;
     std::string triangles_of_;
     std::shared_ptr<const Tree> triangles_;
 };
@@ -298,12 +307,7 @@ KnownNames known_names() {
 }
 
 ExitCode run_experiment(const Config& config, const std::vector<Cell>& cells, const RunOptions& options) {
-    const bool on_cuda = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
-        return cell.contender && cell.contender->backend == "cuda";
-    });
-    std::optional<CudaDevice> device;
-    if (on_cuda) device = use_cuda_device(options.device);
-    return Run(config, options, std::move(device)).run(group_by_workload(cells));
+    return Run(config, cells, options).run();
 }
 
 }  // namespace ctpbench

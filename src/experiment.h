@@ -2,12 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "config/cells.h"
 #include "config/config.h"
+#include "config/plan.h"
+#include "report/progress.h"
 #include "scene/load_scene.h"
 
 namespace ctpbench {
@@ -24,6 +27,10 @@ struct RunOptions {
     std::string isa;      // of kernels over packs, one of usable_isas()
     std::string notice;   // to be kept with the results; may be empty
     std::string command;  // recorded, so that the run can be repeated
+    Shard shard;
+    bool resume = false;  // goes on with the run in `out`, if there is one
+    // If any, called after each workload: what is measured then is time, and nobody will look at the results.
+    std::function<void(const Workload&, const WorkSeconds&)> on_workload;
 };
 
 // Measures the cells and writes rows and tables. Returns oracle if a contender was rejected, interrupted

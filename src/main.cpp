@@ -16,8 +16,10 @@
 #include "config/command_line.h"
 #include "config/schema.h"
 #include "doctor.h"
+#include "estimate.h"
 #include "experiment.h"
 #include "memory_needs.h"
+#include "merge.h"
 #include "render.h"
 #include "scene/find_scene.h"
 #include "wavefront/interleaved/isa.h"
@@ -119,18 +121,17 @@ ExitCode run(const CommandLine& line, const std::string& command) {
         for (const Cell& cell : cells) scenes.insert(cell.workload.scene);
         require_scenes(scenes, line.scenes, line.scene_dirs);
     }
-    if (line.action == CommandLine::Action::dry_run) {
-        std::printf("%s", format_cells(cells).c_str());
-        return ExitCode::ok;
-    }
     require_memory_for(cells, config);
+    if (!line.shard.empty()) options.shard = parse_shard(line.shard);
     options.out = line.out;
+    options.resume = line.resume;
     options.device = line.device;
     options.isa = isa_of(line);
     options.scene_dirs = line.scene_dirs;
     options.scenes = line.scenes;
     options.quiet = line.quiet;
     options.command = command;
+    if (line.action == CommandLine::Action::dry_run) return estimate(config, cells, options);
     return run_experiment(config, cells, options);
 }
 
@@ -156,6 +157,8 @@ ExitCode perform(int argc, char** argv) {
             return render(line);
         case CommandLine::Action::compare:
             return compare(line);
+        case CommandLine::Action::merge:
+            return merge_runs(line.folders, line.out, joined(argc, argv));
         case CommandLine::Action::run:
         case CommandLine::Action::dry_run:
             return run(line, joined(argc, argv));

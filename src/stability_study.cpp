@@ -56,14 +56,13 @@ std::vector<KnownNames::Stress> known_stress() {
     return known;
 }
 
-void run_stability_study(const RunContext& run, const WorkloadCells& cells, StabilityFile& file,
-                         std::vector<StabilityRow>& rows) {
-    const auto step = [&](const std::string& what, double share) {
+void run_stability_study(const RunContext& run, const WorkloadCells& cells, StabilityFile& file) {
+    const auto step = [&](const std::string& what, double share, Work work = Work::rays) {
         stop_if_interrupted();
-        run.progress.step(what, share);
+        run.progress.step(what, share, work);
     };
     const auto safe_point = [&] { step("tracing the reference", kTrees); };
-    step("building the trees", 0.0);
+    step("building the trees", 0.0, Work::once);
     StressBed bed(run.backend, make_stress(cells.workload.scene, run.config.seed));
     const StressWorkload& stress = bed.workload();
     const std::vector<Contender> contenders = able(run, stress.scene, cells.contenders);
@@ -98,9 +97,9 @@ void run_stability_study(const RunContext& run, const WorkloadCells& cells, Stab
             Batch& batch = input.batches[batch_of_offset.at(offset_of(c.methods, c.offset))];
             return of_paths->take(*tracer, batch);
         };
-        rows.push_back({c.kind(), c.method(), c.backend, is_default(c), stress.name,
-                        of_paths ? paths() : of_rays->take(*tracer)});
-        file.append(rows.back());
+        run.results.stability.push_back({c.kind(), c.method(), c.backend, is_default(c), stress.name,
+                                         of_paths ? paths() : of_rays->take(*tracer)});
+        file.append(run.results.stability.back());
     }
 }
 

@@ -18,6 +18,8 @@ Examples:
   ctpbench --config configs/table3.json --filter conference/1000/ --rounds 5
   ctpbench --config configs/table3.json --set /matrix/spheres=1000 --dry-run
   ctpbench --config configs/table3.json --backend cuda --set /batch_rays=0
+  ctpbench --config configs/table3.json --out results/long --resume
+  ctpbench merge results/sweep/shard-* --out results/sweep/all
   ctpbench render conference --spheres 1000 --samples 64 --image conference.png
   ctpbench compare results/before results/after --fail-ratio 0.9
 
@@ -64,6 +66,7 @@ public:
         add_run_options();
         add_render_options();
         add_compare_options();
+        add_merge_options();
     }
 
     CommandLine parse(int argc, const char* const* argv) {
@@ -73,6 +76,7 @@ public:
             line_.action = CommandLine::Action::help;
             line_.help_text = render_->parsed()    ? render_->help("ctpbench")
                               : compare_->parsed() ? compare_->help("ctpbench")
+                              : merge_->parsed()   ? merge_->help("ctpbench")
                                                    : app_.help();
             return line_;
         } catch (const CLI::CallForVersion&) {
@@ -89,6 +93,9 @@ public:
             finish_render();
         } else if (compare_->parsed()) {
             finish_compare();
+        } else if (merge_->parsed()) {
+            line_.action = CommandLine::Action::merge;
+            line_.folders.assign(folders_.begin(), folders_.end());
         } else {
             finish_run();
         }
@@ -155,7 +162,16 @@ private:
                                  "Instruction set of traversal \"interleaved\"; else the best that there is"))
             ->type_name("NAME")
             ->check(CLI::IsMember({"avx512", "avx2", "scalar"}));
-        run_only(app_.add_flag("--dry-run", dry_run_, "Show the cells and stop"));
+        run_only(app_.add_flag("--resume", line_.resume,
+                               "Go on with the run in --out if there is one: keep the workloads that it has "
+                               "finished, measure the others"));
+        run_only(app_.add_option("--shard", line_.shard,
+                                 "Run share I of N, from 1/N to N/N: every Nth workload with all its "
+                                 "contenders; see ctpbench merge"))
+            ->type_name("I/N");
+        run_only(app_.add_flag("--dry-run", dry_run_,
+                               "Show the cells, measure a small part of each workload, say how long the run "
+                               "would take, and stop"));
         run_only(app_.add_flag("--list", list_, "Show the names that a config may use and stop"));
         run_only(app_.add_flag("--schema", schema_, "Print the JSON Schema of configs and stop"));
         run_only(app_.add_flag("--doctor", doctor_,
@@ -214,6 +230,15 @@ private:
                        " means nothing to ctpbench compare; see ctpbench compare --help");
     }
 
+    void add_merge_options() {
+        merge_->add_option("folders", folders_, "Folders of results, one of each shard")
+            ->type_name("DIR")
+            ->required();
+        merge_->add_option("--out", line_.out, "Folder for the results")->type_name("DIR")->required();
+        merge_->footer(
+            "Refuses folders of different configs, scenes or programs, and shards that are not complete.");
+    }
+
     void finish_render() {
         line_.action = CommandLine::Action::render;
         for (const CLI::Option* option : run_only_) {
@@ -224,6 +249,8 @@ private:
     }
 
     void finish_run() {
+        if (line_.resume && line_.out.empty())
+            refuse("--resume needs the folder of the run that it is to go on with; name it with --out");
         if (list_) {
             line_.action = CommandLine::Action::list;
         } else if (schema_) {
@@ -257,7 +284,7 @@ private:
     }
 
     [[noreturn]] void refuse_unknown(const std::string& argument) const {
-        std::vector<std::string> known = {"run", "render", "compare"};
+        std::vector<std::string> known = {"run", "render", "compare", "merge"};
         for (const CLI::App* app : std::initializer_list<const CLI::App*>{&app_, render_, compare_}) {
             for (const CLI::Option* option : app->get_options()) known.push_back(option->get_name());
         }
@@ -272,6 +299,7 @@ private:
     CommandLine line_;
     std::vector<std::string> scene_dirs_;
     std::vector<std::string> sets_;
+    std::vector<std::string> folders_;
     std::string scenes_ = "auto";
     std::optional<std::uint32_t> rounds_;
     std::optional<double> min_time_, max_noise_, timeout_;
@@ -283,6 +311,7 @@ private:
     CLI::App* run_ = app_.add_subcommand("run", "Run an experiment; implied if no subcommand is named");
     CLI::App* render_ = app_.add_subcommand("render", "Render one scene into an image");
     CLI::App* compare_ = app_.add_subcommand("compare", "Set two folders of results beside each other");
+    CLI::App* merge_ = app_.add_subcommand("merge", "Make one run's results of those of its shards");
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ struct CommandLine {
         doctor,   // say what this build and machine can do and stop
         render,   // render one scene into an image
         compare,  // set two folders of results beside each other
+        merge,    // make one run's results of those of its shards
         version,
         help,  // print help_text
     };
@@ -42,6 +43,12 @@ struct CommandLine {
     int device = 0;                     // number of the CUDA device
     std::string isa;                    // of kernels over packs; empty: the best that this machine has
     std::vector<ConfigEdit> edits;      // --set in the order given, then those with options of their own
+
+    bool resume = false;
+    std::string shard;  // `2/8`; empty: all
+
+    // merge, into `out`
+    std::vector<std::filesystem::path> folders;
 
     // render
     std::string scene;

@@ -17,9 +17,11 @@
 #include <string>
 #include <thread>
 
+#include "base/hash.h"
 #include "base/memory.h"
 #include "build_info.h"
 #include "oracle/embree.h"
+#include "scene/mapped_file.h"
 
 namespace ctpbench {
 namespace {
@@ -76,6 +78,12 @@ bool flushes_denormals() {
 #endif
 }
 
+// Of the executable: a commit does not tell builds apart that were changed since.
+std::string program_hash() {
+    const MappedFile program("/proc/self/exe");
+    return hex(hash_bytes(program.bytes().data(), program.bytes().size()));
+}
+
 }  // namespace
 
 nlohmann::json describe_machine() {
@@ -105,10 +113,12 @@ nlohmann::json describe_machine() {
 }
 
 nlohmann::json describe_build() {
+    static const std::string program = program_hash();
     return {
         {"version", CTPBENCH_VERSION},
         {"git_commit", CTPBENCH_GIT_COMMIT},
         {"git_dirty", CTPBENCH_GIT_DIRTY},
+        {"program", program},
         {"compiler", CTPBENCH_COMPILER},
         {"flags", CTPBENCH_COMPILE_FLAGS},
         {"build_type", CTPBENCH_BUILD_TYPE},

@@ -116,7 +116,8 @@ struct SceneResult {
     std::uint32_t spheres = 0;
     std::string source;
     std::size_t triangles = 0, dropped_triangles = 0;
-    std::uint64_t hash = 0;
+    std::uint64_t hash = 0;       // of its content
+    std::uint64_t base_hash = 0;  // of what it has in common with the same scene with other spheres
     SceneNeeds needs;
     SceneSavings savings;
     std::vector<SceneColumn> columns;
@@ -132,12 +133,22 @@ struct ProfileResult {
     FlightProfile profile;
 };
 
+// One method on one stress workload. Kind and method are what the config calls them (Contender::kind(),
+// method()).
+struct StabilityRow {
+    std::string kind, method, backend;
+    bool is_default;  // whether it is what a run uses that asks for nothing else
+    std::string workload;
+    Accuracy accuracy;
+};
+
 struct Results {
     std::vector<CellResult> cells;
     std::vector<ProfileResult> profiles;
     std::vector<TreeResult> trees;
     std::vector<SceneResult> scenes;
-    std::vector<std::string> notices;
+    std::vector<StabilityRow> stability;  // of that study alone
+    std::vector<std::string> notices;     // each once
 
     const CellResult* find(const Workload& workload, const std::string& label) const {
         for (const CellResult& c : cells)

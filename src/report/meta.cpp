@@ -7,6 +7,7 @@
 #include "kernels/materials/list.h"
 #include "kernels/primitives/list.h"
 #include "measure/machine.h"
+#include "report/output_file.h"
 
 namespace ctpbench {
 namespace {
@@ -20,6 +21,7 @@ nlohmann::json scene_json(const SceneResult& s) {
             {"triangles", s.triangles},
             {"dropped_triangles", s.dropped_triangles},
             {"hash", hex(s.hash)},
+            {"base_hash", hex(s.base_hash)},
             {"sphere_hit_share", s.sphere_hit_share},
             {"needs",
              {{"primitives", names_of<Primitives<Watertight>>(s.needs.primitives)},
@@ -35,9 +37,8 @@ nlohmann::json scene_json(const SceneResult& s) {
 
 }  // namespace
 
-std::string meta_json(const Config& config, const Results& results, const std::string& run_id,
-                      const std::string& state, const std::string& command, int threads,
-                      const CudaDevice* device, const std::string& isa) {
+nlohmann::json meta_of(const Config& config, const RunRecord& run, const Results& results,
+                       const std::string& state) {
     const nlohmann::json effective = to_json(config);
     const std::string text = effective.dump();
     nlohmann::json scenes = nlohmann::json::array(), trees = nlohmann::json::array();
@@ -53,7 +54,7 @@ std::string meta_json(const Config& config, const Results& results, const std::s
     for (const CellResult& c : results.cells)
         if (c.accuracy) exams[c.workload.name() + "/" + c.contender.label()] = c.accuracy->verdict.text();
     nlohmann::json gpu;
-    if (device != nullptr)
+    if (const auto& device = run.device)
         gpu = {{"device", device->number},
                {"name", device->name},
                {"multiprocessors", device->multiprocessors},
@@ -65,13 +66,22 @@ std::string meta_json(const Config& config, const Results& results, const std::s
                {"ecc", device->ecc},
                {"driver", device->driver},
                {"runtime", device->runtime}};
-    const nlohmann::json meta = {
-        {"schema_version", 1},
-        {"run_id", run_id},
+    nlohmann::json workloads = nlohmann::json::array(), resumed = nlohmann::json::array();
+    for (const PlannedWorkload& w : run.workloads)
+        workloads.push_back(
+            {{"name", w.cells.workload.name()}, {"contenders", w.cells.contenders.size()}, {"hash", w.hash}});
+    for (const Resumption& r : run.resumed)
+        resumed.push_back({{"command", r.command}, {"workloads_kept", r.workloads_kept}});
+    return {
+        {"schema_version", kMetaSchemaVersion},
+        {"run_id", run.run_id},
         {"state", state},
-        {"command", command},
-        {"threads", threads},
-        {"isa", isa},
+        {"command", run.command},
+        {"resumed", resumed},
+        {"shard", run.shard.text()},
+        {"workloads", workloads},
+        {"threads", run.threads},
+        {"isa", run.isa},
         {"config", effective},
         {"config_hash", hex(hash_bytes(text.data(), text.size()))},
         {"machine", describe_machine()},
@@ -84,7 +94,11 @@ std::string meta_json(const Config& config, const Results& results, const std::s
         {"notices", results.notices},
         {"peak_memory_bytes", peak_memory_bytes()},
     };
-    return meta.dump(2) + "\n";
+}
+
+void write_meta(const std::filesystem::path& folder, const nlohmann::json& meta) {
+    write_file(folder / "meta.json",
+               meta.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace ctpbench

@@ -4,25 +4,20 @@
 
 #include <cstdio>
 
+#include "report/duration.h"
+
 namespace ctpbench {
 namespace {
 
 constexpr auto kRefresh = std::chrono::milliseconds(250);
 
-std::string duration(double seconds) {
-    char text[32];
-    const auto s = static_cast<long>(seconds + 0.5);
-    if (s >= 3600)
-        std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
-    else
-        std::snprintf(text, sizeof text, "%ld:%02ld", s / 60, s % 60);
-    return text;
-}
-
 }  // namespace
 
 Progress::Progress(bool quiet)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+    : quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(std::chrono::steady_clock::now()),
+      charged_(start_) {}
 
 Progress::~Progress() {
     if (terminal_ && !quiet_) std::fputs("\r\033[K", stderr);
@@ -31,12 +26,26 @@ Progress::~Progress() {
 void Progress::start_workload(std::size_t index, std::size_t count, const std::string& name) {
     const std::lock_guard lock(mutex_);
     workload_ = index, workloads_ = count, name_ = name, share_ = 0.0;
+    doing_ = Work::once, charged_ = std::chrono::steady_clock::now(), taken_ = {};
 }
 
-void Progress::step(const std::string& what, double share_of_workload) {
+void Progress::charge(std::chrono::steady_clock::time_point now) {
+    taken_.of(doing_) += std::chrono::duration<double>(now - charged_).count();
+    charged_ = now;
+}
+
+WorkSeconds Progress::work() {
+    const std::lock_guard lock(mutex_);
+    charge(std::chrono::steady_clock::now());
+    return taken_;
+}
+
+void Progress::step(const std::string& what, double share_of_workload, Work work) {
     const std::lock_guard lock(mutex_);
     share_ = share_of_workload;
     const auto now = std::chrono::steady_clock::now();
+    charge(now);
+    doing_ = work;
     const bool changed = what != what_;
     what_ = what;
     if (quiet_ || (!changed && (!terminal_ || now - last_shown_ < kRefresh))) return;

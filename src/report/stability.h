@@ -5,18 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "measure/exam.h"
+#include "measure/results.h"
 #include "report/csv.h"
 
 namespace ctpbench {
-
-// One method on one workload. Kind and method are what the config calls them (Contender::kind(), method()).
-struct StabilityRow {
-    std::string kind, method, backend;
-    bool is_default;  // whether it is what a run uses that asks for nothing else
-    std::string workload;
-    Accuracy accuracy;
-};
 
 // kind, method, is_default, workload, rays, failures, failures_per_million, lo and hi (a 95 % interval of
 // that, per million), p99_scaled_error; then backend and the failures by what they are, and what was left

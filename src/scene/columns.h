@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -10,7 +11,7 @@
 namespace ctpbench {
 
 struct SceneColumn {
-    const char* name;
+    std::string name;
     std::size_t bytes;  // of its elements, without what is reserved for more
 };
 

@@ -172,5 +172,19 @@ TEST(CommandLine, ErrorsHaveAHint) {
     }
 }
 
+TEST(CommandLine, ResumeShardAndMerge) {
+    const CommandLine line = parse({"--config", "c.json", "--out", "o", "--resume", "--shard", "2/3"});
+    EXPECT_EQ(line.action, Action::run);
+    EXPECT_TRUE(line.resume);
+    EXPECT_EQ(line.shard, "2/3");
+    const CommandLine merge = parse({"merge", "a", "b", "--out", "o"});
+    EXPECT_EQ(merge.action, Action::merge);
+    EXPECT_EQ(merge.folders, (std::vector<std::filesystem::path>{"a", "b"}));
+    EXPECT_EQ(merge.out, "o");
+    EXPECT_THROW(parse({"--config", "c.json", "--resume"}), Error);
+    EXPECT_THROW(parse({"merge", "--out", "o"}), Error);
+    EXPECT_THROW(parse({"merge", "a"}), Error);
+}
+
 }  // namespace
 }  // namespace ctpbench

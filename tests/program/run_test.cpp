@@ -179,10 +179,30 @@ TEST_F(Run, WritesWhatItsFramesAccumulated) {
     EXPECT_GT(std::filesystem::file_size(folder_ / "r/smoke-200.png"), 300u);
 }
 
-TEST_F(Run, DryRunListAndVersionMeasureNothing) {
-    const Outcome dry = run(std::string("--dry-run") + kSmall);
-    EXPECT_EQ(dry.exit_code, 0) << dry.output;
-    EXPECT_NE(dry.output.find("typed_leaves"), std::string::npos);
+// That the estimate is near is for a machine that does nothing else; here it must grow as the run does.
+TEST_F(Run, DryRunSaysHowLongItWouldTakeAndLeavesNothing) {
+    const auto seconds = [&](const std::string& more) {
+        const Outcome dry =
+            run("--dry-run --out $D/r --config $C/smoke.json --set /width=64 --set /height=32 " + more);
+        EXPECT_EQ(dry.exit_code, 0) << dry.output;
+        EXPECT_NE(dry.output.find("typed_leaves"), std::string::npos);
+        const std::size_t at = dry.output.find("\nall ");
+        EXPECT_NE(at, std::string::npos) << dry.output;
+        double value = 0.0;
+        char colon = 0, after = 0;
+        std::istringstream text(dry.output.substr(dry.output.find("about", at) + 5));
+        text >> value >> colon >> after;
+        return colon == ':' ? 60.0 * value : value;
+    };
+    const double few = seconds("--rounds 2"), many = seconds("--rounds 2000");
+    EXPECT_GT(many, 20.0 * few);
+    EXPECT_LT(many, 5000.0 * few);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "r"));
+    const Outcome shard = run(std::string("--dry-run --shard 2/2") + kSmall);
+    EXPECT_EQ(shard.output.find("typed_leaves"), std::string::npos) << "smoke has one workload";
+}
+
+TEST_F(Run, ListAndVersionMeasureNothing) {
     const Outcome list = run("--list");
     EXPECT_EQ(list.exit_code, 0);
     for (const char* name :
