@@ -16,7 +16,7 @@ public:
     // `threads`: of those that do not ask for a number of their own. Goes on after the first `keep` bytes of
     // what is there.
     RowsFile(const std::filesystem::path& folder, std::string run_id, std::string experiment, int threads,
-             std::uint64_t keep);
+             std::uint64_t keep = 0);
     GrowingFile& file() { return file_.file(); }
     void append(const Results& results, const std::vector<Row>& rows);
 
