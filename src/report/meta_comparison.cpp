@@ -43,7 +43,10 @@ json read_meta(const std::filesystem::path& folder) {
     std::ifstream file(path, std::ios::binary);
     if (!file)
         throw Error(ExitCode::usage, path.string() + ": error: cannot be read; name the folder of a run");
-    json meta = json::parse(file, nullptr, false);
+    // What is nested deeper is none of ours, and to compare it takes a stack frame a level.
+    constexpr int kDeepest = 64;
+    const auto shallow = [](int depth, json::parse_event_t, json&) { return depth <= kDeepest; };
+    json meta = json::parse(file, shallow, false);
     if (!meta.is_object())
         throw Error(ExitCode::usage, path.string() + ": error: is no JSON object; name the folder of a run");
     return meta;

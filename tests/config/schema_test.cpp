@@ -16,14 +16,24 @@ namespace {
 using nlohmann::json;
 
 // What the schema leaves to the reader: parts of the messages of rules that tie keys together.
-constexpr const char* kTies[] = {"means nothing",          "is not among the strategies measured",
-                                 "makes more than",        "is there already",
-                                 "leaves nothing",         "belongs to studies of speed",
-                                 "needs rendered frames",  "needs recorded rays",
-                                 "compares types",         "compares with",
-                                 "profiles rays",          "concerns the CPU alone",
-                                 "frames are rendered by", "every contender must render",
-                                 "needs measurements", "may never be reached", "is shorter than min_time",     "a study of methods or of pictures measures"};
+constexpr const char* kTies[] = {"means nothing",
+                                 "is not among the strategies measured",
+                                 "makes more than",
+                                 "is there already",
+                                 "leaves nothing",
+                                 "belongs to studies of speed",
+                                 "needs rendered frames",
+                                 "needs recorded rays",
+                                 "compares types",
+                                 "compares with",
+                                 "profiles rays",
+                                 "concerns the CPU alone",
+                                 "frames are rendered by",
+                                 "every contender must render",
+                                 "needs measurements",
+                                 "may never be reached",
+                                 "is shorter than min_time",
+                                 "a study of methods or of pictures measures"};
 
 class Schema : public ProgramTest {
 protected:
