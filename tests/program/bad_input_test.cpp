@@ -57,7 +57,8 @@ TEST_F(BadInput, UnknownScene) { expect(config_for("smoek"), 2, {"smoek", "did y
 TEST_F(BadInput, EveryScenesMistakesBeforeAnythingIsMeasured) {
     write("half.json", R"({"schema_version": 1, "name": "half", "recipe": {"nmae": "smoke"}})");
     write("absent.json", R"({"schema_version": 1, "name": "absent", "mesh": {"file": "no/such.obj"}})");
-    const std::string arguments = config_for(R"(smoke", "smoek", "half", "absent)");
+    const std::string arguments =
+        config_for("smoke") + R"( --set '/matrix/scene=["smoke", "smoek", "half", "absent"]')";
     for (const char* also : {"", " --dry-run"})
         expect(arguments + also, 2,
                {"did you mean \"smoke\"", "half.json:1:", "did you mean \"name\"", "no/such.obj"});
