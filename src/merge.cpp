@@ -141,9 +141,7 @@ json merged_meta(const std::vector<Part>& parts, const json& measured, const std
     return meta;
 }
 
-}  // namespace
-
-ExitCode merge_runs(const std::vector<fs::path>& folders, const fs::path& out, const std::string& command) {
+ExitCode merge_parts(const std::vector<fs::path>& folders, const fs::path& out, const std::string& command) {
     const std::vector<Part> parts = read_parts(folders);
     std::vector<std::string> mistakes;
     compare_scenes(parts, mistakes);
@@ -186,6 +184,19 @@ ExitCode merge_runs(const std::vector<fs::path>& folders, const fs::path& out, c
     const bool all_valid =
         std::all_of(results.cells.begin(), results.cells.end(), [](const CellResult& c) { return c.valid; });
     return all_valid ? ExitCode::ok : ExitCode::oracle;
+}
+
+}  // namespace
+
+ExitCode merge_runs(const std::vector<fs::path>& folders, const fs::path& out, const std::string& command) {
+    try {
+        return merge_parts(folders, out, command);
+    } catch (const json::exception& e) {
+        throw Error(ExitCode::usage,
+                    "ctpbench merge: error: meta.json in one of these folders is not what a run "
+                    "writes (" +
+                        std::string(e.what()) + "); measure that shard again");
+    }
 }
 
 }  // namespace ctpbench

@@ -54,6 +54,20 @@ std::vector<std::string> scenes_that_changed(const FinishedLog& log, const RunRe
     return lines;
 }
 
+// What was said of the run before.
+void take_over(const nlohmann::json& there, const fs::path& folder, std::size_t kept, RunRecord& run) {
+    try {
+        there.at("run_id").get_to(run.run_id);
+        for (const nlohmann::json& r : there.at("resumed"))
+            run.resumed.push_back({r.at("command"), r.at("workloads_kept")});
+        run.resumed.push_back({run.command, kept});
+        there.at("command").get_to(run.command);
+    } catch (const nlohmann::json::exception& e) {
+        throw Error(ExitCode::usage, (folder / "meta.json").string() + ": error: is not what a run writes (" +
+                                         e.what() + "); begin anew in another folder with --out");
+    }
+}
+
 }  // namespace
 
 FinishedLog open_run_folder(const fs::path& folder, const Config& config, RunRecord& run, bool resume,
@@ -68,11 +82,7 @@ FinishedLog open_run_folder(const fs::path& folder, const Config& config, RunRec
         refuse(folder, different);
         log = read_finished(folder);
         refuse(folder, scenes_that_changed(log, run, look));
-        there.at("run_id").get_to(run.run_id);
-        for (const nlohmann::json& r : there.at("resumed"))
-            run.resumed.push_back({r.at("command"), r.at("workloads_kept")});
-        run.resumed.push_back({run.command, log.workloads.size()});
-        there.at("command").get_to(run.command);
+        take_over(there, folder, log.workloads.size(), run);
     } else if (fs::exists(folder / "rows.csv", ignored)) {
         throw Error(ExitCode::output,
                     folder.string() +

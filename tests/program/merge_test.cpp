@@ -97,6 +97,16 @@ TEST_F(Merge, RefusesAnotherScene) {
     expect_refused("$D/s1 $D/s2", {"scene square: hash", "s1", "s2"});
 }
 
+TEST_F(Merge, RefusesADamagedMeta) {
+    ASSERT_EQ(measure("s1", "--shard 1/2").exit_code, 0);
+    ASSERT_EQ(measure("s2", "--shard 2/2").exit_code, 0);
+    auto damaged = meta("s1");
+    for (auto& workload : damaged["workloads"]) workload.erase("hash");
+    for (const char* folder : {"s1/meta.json", "s2/meta.json"})
+        std::ofstream(folder_ / folder) << damaged.dump();
+    expect_refused("$D/s1 $D/s2", {"meta.json", "hash", "measure that shard again"});
+}
+
 TEST_F(Merge, UnlikeMachinesAreNoted) {
     ASSERT_EQ(measure("s1", "--shard 1/2").exit_code, 0);
     ASSERT_EQ(measure("s2", "--shard 2/2").exit_code, 0);
