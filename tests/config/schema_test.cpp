@@ -130,6 +130,8 @@ TEST_F(Schema, OfTheFileIsTheProgramsAndEveryConfigPassesIt) {
     const std::filesystem::path folder = CTPBENCH_SOURCE_DIR "/configs";
     const Outcome printed = run("--schema");
     EXPECT_EQ(printed.exit_code, 0);
+    KnownNames names = known_names();
+    names.obstacle = nullptr;  // what this build lacks is no matter here
     std::set<std::filesystem::path> named;
     std::vector<json> documents;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -137,7 +139,7 @@ TEST_F(Schema, OfTheFileIsTheProgramsAndEveryConfigPassesIt) {
         json& config = documents.emplace_back(JsonDocument::load(entry.path()).value());
         named.insert(folder / config.value("$schema", "none"));
         // What is echoed has every key that means something to it.
-        json echo = to_json(load_config(entry.path(), {}, known_names()));
+        json echo = to_json(load_config(entry.path(), {}, names));
         documents.push_back(echo);
     }
     ASSERT_GT(documents.size(), 20u);

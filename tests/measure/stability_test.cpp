@@ -76,9 +76,9 @@ TEST(Stability, RaysInFlightHitTheSame) {
     for (const StressInfo& info : stress_workloads()) {
         StressBed bed(backend(), make_stress(info.name, 9));
         Batch batch = bed.workload().of_offsets()
-                          ? DepartureExam(backend(), bed.judge(), bed.exact(), bed.workload(), 8000, [] {})
+                          ? DepartureExam(backend(), bed.judge(), bed.exact(), bed.workload(), 3000, [] {})
                                 .batch(offset_policy("waechter_binder"))
-                          : stress_batch(backend(), 8000, bed.workload().ray);
+                          : stress_batch(backend(), 3000, bed.workload().ray);
         const auto hash_of = [&](const std::unique_ptr<Intersector>& intersector) {
             return CpuTracer(backend(), *intersector, bed.view().geometry().extent).trace(batch, true).hash;
         };
