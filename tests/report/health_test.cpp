@@ -54,7 +54,9 @@ TEST(Health, NamesWhatDisturbsMeasurementsAndTheRemedy) {
         machine[c.key] = c.value;
         for (const Finding& f : examine_machine(machine)) {
             EXPECT_EQ(f.state, f.what == c.what ? State::warning : State::ok) << c.what << ": " << f.what;
-            if (f.what == c.what) EXPECT_NE(f.remedy.find(c.remedy), std::string::npos) << f.remedy;
+            if (f.what == c.what) {
+                EXPECT_NE(f.remedy.find(c.remedy), std::string::npos) << f.remedy;
+            }
         }
     }
     json machine = quiet_machine();
