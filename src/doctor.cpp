@@ -9,8 +9,7 @@
 #include "backends/cuda.h"
 #include "measure/machine.h"
 #include "report/health.h"
-#include "scene/scene_file.h"
-#include "scene/search_path.h"
+#include "scene/find_scene.h"
 #include "scene/texture_image.h"
 #include "wavefront/interleaved/isa.h"
 #include "wavefront/type_choice.h"
@@ -19,7 +18,7 @@ namespace ctpbench {
 namespace {
 
 namespace fs = std::filesystem;
-using State = Finding::State;
+using State = Diagnosis::State;
 
 constexpr std::uintmax_t kLeastSpace = std::uintmax_t{1} << 30;
 
@@ -29,35 +28,35 @@ std::string joined(const std::vector<std::string>& names) {
     return text;
 }
 
-void add_parts(std::vector<Finding>& findings) {
-    findings.push_back(
+void add_parts(std::vector<Diagnosis>& diagnoses) {
+    diagnoses.push_back(
         can_read_images()
-            ? Finding{State::ok, "OpenImageIO", "textures and pictures"}
-            : Finding{State::missing, "OpenImageIO", "not compiled in: no textures, no pictures",
-                      "apt-get install libopenimageio-dev openimageio-tools, and build again"});
+            ? Diagnosis{State::ok, "OpenImageIO", "textures and pictures"}
+            : Diagnosis{State::missing, "OpenImageIO", "not compiled in: no textures, no pictures",
+                        "apt-get install libopenimageio-dev openimageio-tools, and build again"});
     const std::vector<std::string> types = type_choices();
-    findings.push_back(std::all_of(types.begin(), types.end(), types_built)
-                           ? Finding{State::ok, "types", "all lists"}
-                           : Finding{State::missing, "types", "long lists of synthetic types are left out",
-                                     "build with -DCTPBENCH_FEW_TYPES=OFF"});
-    findings.push_back({State::ok, "instructions", joined(usable_isas())});
+    diagnoses.push_back(std::all_of(types.begin(), types.end(), types_built)
+                            ? Diagnosis{State::ok, "types", "all lists"}
+                            : Diagnosis{State::missing, "types", "long lists of synthetic types are left out",
+                                        "build with -DCTPBENCH_FEW_TYPES=OFF"});
+    diagnoses.push_back({State::ok, "instructions", joined(usable_isas())});
 }
 
-Finding examine_cuda(const CommandLine& line) {
+Diagnosis examine_cuda(const CommandLine& line) {
     const std::string obstacle = cuda_obstacle(line.device);
     const int toolkit = cuda_toolkit();
     const std::string built = toolkit == 0 ? ""
                                            : "toolkit " + std::to_string(toolkit / 1000) + "." +
                                                  std::to_string(toolkit % 1000 / 10) + ", ";
     if (obstacle.empty()) return {State::ok, "CUDA", built + use_cuda_device(line.device).name};
-    Finding finding{State::missing, "CUDA", built + obstacle};
+    Diagnosis diagnosis{State::missing, "CUDA", built + obstacle};
     if (std::find(line.backends.begin(), line.backends.end(), "cuda") != line.backends.end())
-        finding.failure = ExitCode::no_backend;
-    return finding;
+        diagnosis.failure = ExitCode::no_backend;
+    return diagnosis;
 }
 
 // Without a trace: the folder need not be there yet.
-Finding examine_output(const CommandLine& line) {
+Diagnosis examine_output(const CommandLine& line) {
     const fs::path folder = fs::absolute(line.out.empty() ? "results" : line.out);
     fs::path there = folder;
     std::error_code failed;
@@ -75,49 +74,48 @@ Finding examine_output(const CommandLine& line) {
     return {State::ok, "output", folder.string()};
 }
 
-Finding examine_scene(const std::string& name, const Folders& folders, SceneChoice choice) {
-    Finding finding{State::ok, "scene " + name, ""};
+Diagnosis examine_scene(const std::string& name, const Folders& folders, SceneChoice choice) {
+    Diagnosis diagnosis{State::ok, "scene " + name, ""};
     try {
         const SceneFile file = read_scene_file(find_scene_file(name, folders));
         if (file.recipe) {
-            finding.detail = "procedural";
-            return finding;
+            diagnosis.detail = "procedural";
+            return diagnosis;
         }
-        for (const MeshEdition& edition : file.meshes)
-            if (const auto path = find_file(edition.files, folders)) {
-                finding.detail = path->string();
-                return finding;
-            }
-        finding.state = State::missing;
-        finding.detail = file.stand_in.empty()
-                             ? "its mesh is not here"
-                             : "its mesh is not here, " + file.stand_in + " takes its place";
-        finding.remedy = "scripts/fetch_scenes";
-        if (choice == SceneChoice::real || file.stand_in.empty()) finding.failure = ExitCode::scene_missing;
+        if (const auto mesh = find_mesh(file, folders)) {
+            diagnosis.detail = mesh->path.string();
+            return diagnosis;
+        }
+        diagnosis.state = State::missing;
+        diagnosis.detail = file.stand_in.empty()
+                               ? "its mesh is not here"
+                               : "its mesh is not here, " + file.stand_in + " takes its place";
+        diagnosis.remedy = "scripts/fetch_scenes";
+        if (choice == SceneChoice::real || file.stand_in.empty()) diagnosis.failure = ExitCode::scene_missing;
     } catch (const Error& error) {
-        finding.state = State::missing;
-        finding.detail = error.what();
-        finding.failure = error.code();
+        diagnosis.state = State::missing;
+        diagnosis.detail = error.what();
+        diagnosis.failure = error.code();
     }
-    return finding;
+    return diagnosis;
 }
 
 }  // namespace
 
 ExitCode examine(const CommandLine& line) {
-    std::vector<Finding> findings = examine_build(describe_build());
-    add_parts(findings);
-    findings.push_back(examine_cuda(line));
-    for (Finding& f : examine_machine(describe_machine())) findings.push_back(std::move(f));
-    findings.push_back(examine_output(line));
+    std::vector<Diagnosis> diagnoses = examine_build(describe_build());
+    add_parts(diagnoses);
+    diagnoses.push_back(examine_cuda(line));
+    for (Diagnosis& f : examine_machine(describe_machine())) diagnoses.push_back(std::move(f));
+    diagnoses.push_back(examine_output(line));
     const Folders folders = scene_search_path(line.scene_dirs);
     const std::vector<std::string> scenes = scene_names(folders);
     if (scenes.empty())
-        findings.push_back({State::missing, "scenes", "no scene files",
-                            "--scene-dir names the folder that holds them", ExitCode::scene_missing});
-    for (const std::string& name : scenes) findings.push_back(examine_scene(name, folders, line.scenes));
-    std::printf("%s", findings_text(findings).c_str());
-    return exit_code_of(findings);
+        diagnoses.push_back({State::missing, "scenes", "no scene files",
+                             "--scene-dir names the folder that holds them", ExitCode::scene_missing});
+    for (const std::string& name : scenes) diagnoses.push_back(examine_scene(name, folders, line.scenes));
+    std::printf("%s", diagnoses_text(diagnoses).c_str());
+    return exit_code_of(diagnoses);
 }
 
 }  // namespace ctpbench

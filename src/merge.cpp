@@ -166,7 +166,7 @@ ExitCode merge_parts(const std::vector<fs::path>& folders, const fs::path& out, 
     };
     for (const Part& part : parts) {
         for (const json& n : part.meta.at("notices")) note(n);
-        for (const char* key : {"/machine/cpu", "/gpu/name"}) {
+        for (const char* key : {"/machine/cpu", "/machine/cpu_model", "/gpu/name"}) {
             const json::json_pointer pointer(key);
             if (part.meta.value(pointer, json()) == first.value(pointer, json())) continue;
             note("measured on unlike machines: " + std::string(key) + " is " +

@@ -9,7 +9,7 @@
 namespace ctpbench {
 namespace {
 
-using State = Finding::State;
+using State = Diagnosis::State;
 using nlohmann::json;
 
 constexpr double kGiB = 1 << 30;
@@ -29,7 +29,7 @@ std::string shown(double value, const char* format = "%.3g") {
     return text;
 }
 
-Finding judged(bool good, const char* what, const std::string& detail, const std::string& remedy) {
+Diagnosis judged(bool good, const char* what, const std::string& detail, const std::string& remedy) {
     if (good) return {State::ok, what, detail};
     return {State::warning, what, detail, remedy};
 }
@@ -41,7 +41,7 @@ double quota_of(const json& machine) {
     return text >> quota >> period && period > 0 ? quota / period : INFINITY;
 }
 
-Finding governor_of(const json& machine) {
+Diagnosis governor_of(const json& machine) {
     const std::string name = text_of(machine, "governor");
     if (name.empty()) return {State::ok, "governor", "not to be seen here, as usual in a virtual machine"};
     return judged(name == "performance", "governor", name,
@@ -49,7 +49,7 @@ Finding governor_of(const json& machine) {
 }
 
 // `always [madvise] never`: the one in brackets.
-Finding huge_pages_of(const json& machine) {
+Diagnosis huge_pages_of(const json& machine) {
     const std::string modes = text_of(machine, "transparent_huge_pages");
     const std::size_t begin = modes.find('['), end = modes.find(']');
     const std::string mode =
@@ -61,24 +61,24 @@ Finding huge_pages_of(const json& machine) {
 
 }  // namespace
 
-std::vector<Finding> examine_build(const json& build) {
+std::vector<Diagnosis> examine_build(const json& build) {
     const std::string type = text_of(build, "build_type"), commit = text_of(build, "git_commit");
-    std::vector<Finding> findings;
-    findings.push_back({State::ok, "compiler", text_of(build, "compiler")});
-    findings.push_back(judged(type == "Release", "build type", type,
-                              "figures of this build mean nothing; build with cmake --preset release"));
-    findings.push_back(judged(commit != "unknown" && !build.at("git_dirty").get<bool>(), "git",
-                              commit.substr(0, 12) + (build.at("git_dirty").get<bool>() ? ", changed" : ""),
-                              "results do not say what made them; build from a clean commit"));
+    std::vector<Diagnosis> diagnoses;
+    diagnoses.push_back({State::ok, "compiler", text_of(build, "compiler")});
+    diagnoses.push_back(judged(type == "Release", "build type", type,
+                               "figures of this build mean nothing; build with cmake --preset release"));
+    diagnoses.push_back(judged(commit != "unknown" && !build.at("git_dirty").get<bool>(), "git",
+                               commit.substr(0, 12) + (build.at("git_dirty").get<bool>() ? ", changed" : ""),
+                               "results do not say what made them; build from a clean commit"));
     const std::string embree = text_of(build, "embree");
-    findings.push_back(embree.empty()
-                           ? Finding{State::missing, "Embree", "not compiled in: no oracle, no yardstick",
-                                     "apt-get install libembree-dev, and build again"}
-                           : Finding{State::ok, "Embree", embree});
-    return findings;
+    diagnoses.push_back(embree.empty()
+                            ? Diagnosis{State::missing, "Embree", "not compiled in: no oracle, no yardstick",
+                                        "apt-get install libembree-dev, and build again"}
+                            : Diagnosis{State::ok, "Embree", embree});
+    return diagnoses;
 }
 
-std::vector<Finding> examine_machine(const json& machine) {
+std::vector<Diagnosis> examine_machine(const json& machine) {
     const double cores = machine.at("cores"), quota = quota_of(machine);
     const double load = machine.at("load_1min").is_null() ? 0.0 : machine.at("load_1min").get<double>();
     const double steal = machine.at("steal_share_since_boot");
@@ -103,11 +103,11 @@ std::vector<Finding> examine_machine(const json& machine) {
     };
 }
 
-std::string findings_text(const std::vector<Finding>& findings) {
+std::string diagnoses_text(const std::vector<Diagnosis>& diagnoses) {
     std::size_t widest = 0;
-    for (const Finding& f : findings) widest = std::max(widest, f.what.size());
+    for (const Diagnosis& f : diagnoses) widest = std::max(widest, f.what.size());
     std::string text;
-    for (const Finding& f : findings) {
+    for (const Diagnosis& f : diagnoses) {
         const char* state = f.state == State::ok ? "ok" : f.state == State::warning ? "warning" : "missing";
         char line[64];
         std::snprintf(line, sizeof line, "%-7s  %-*.*s  ", state,
@@ -117,8 +117,8 @@ std::string findings_text(const std::vector<Finding>& findings) {
     return text;
 }
 
-ExitCode exit_code_of(const std::vector<Finding>& findings) {
-    for (const Finding& f : findings)
+ExitCode exit_code_of(const std::vector<Diagnosis>& diagnoses) {
+    for (const Diagnosis& f : diagnoses)
         if (f.failure) return *f.failure;
     return ExitCode::ok;
 }

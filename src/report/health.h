@@ -10,7 +10,7 @@
 
 namespace ctpbench {
 
-struct Finding {
+struct Diagnosis {
     enum class State {
         ok,
         warning,  // it runs, but figures are worth less
@@ -23,13 +23,13 @@ struct Finding {
 };
 
 // Of describe_build() and describe_machine().
-std::vector<Finding> examine_build(const nlohmann::json& build);
-std::vector<Finding> examine_machine(const nlohmann::json& machine);
+std::vector<Diagnosis> examine_build(const nlohmann::json& build);
+std::vector<Diagnosis> examine_machine(const nlohmann::json& machine);
 
 // A line each: `warning  load         2.1 on 2 cores: stop other work, or expect wide intervals`
-std::string findings_text(const std::vector<Finding>& findings);
+std::string diagnoses_text(const std::vector<Diagnosis>& diagnoses);
 
 // What the first of them that fails a run fails it with; ok if none does.
-ExitCode exit_code_of(const std::vector<Finding>& findings);
+ExitCode exit_code_of(const std::vector<Diagnosis>& diagnoses);
 
 }  // namespace ctpbench

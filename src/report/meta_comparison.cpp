@@ -67,7 +67,7 @@ std::vector<std::string> differences(const json& there, const json& here) {
 
 std::vector<std::string> differences_of_machine(const json& there, const json& here) {
     std::vector<std::string> lines;
-    compare(there, here, {"/machine/cpu", "/gpu/name", "/shard"}, lines);
+    compare(there, here, {"/machine/cpu", "/machine/cpu_model", "/gpu/name", "/shard"}, lines);
     return lines;
 }
 

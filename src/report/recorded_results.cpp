@@ -4,10 +4,10 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "base/json_document.h"
 #include "config/cells.h"
 #include "report/csv_table.h"
 #include "report/figures.h"
+#include "report/meta_comparison.h"
 #include "wavefront/cuda_workload.h"
 
 namespace ctpbench {
@@ -171,9 +171,8 @@ RecordedResults read_results(const std::filesystem::path& folder) {
     RecordedResults results;
     results.folder = folder;
     for (const std::filesystem::path& run : runs) {
-        const std::filesystem::path meta = run / "meta.json";
-        results.meta.push_back(std::filesystem::exists(meta, failed) ? JsonDocument::load(meta).value()
-                                                                     : nlohmann::json());
+        results.meta.push_back(std::filesystem::exists(run / "meta.json", failed) ? read_meta(run)
+                                                                                  : nlohmann::json());
         Reader(results, CsvTable::load(run / "rows.csv"), run.string()).read();
     }
     return results;

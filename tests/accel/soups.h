@@ -1,11 +1,10 @@
 // Small generated scenes that are hard on a tree builder.
 #pragma once
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <random>
 
-#include "scene/scene.h"
+#include "support.h"
 
 namespace ctpbench::test {
 
@@ -15,21 +14,6 @@ inline void add_triangle(Scene& scene, Vec3 a, Vec3 b, Vec3 c) {
     scene.mesh.triangles.push_back({first, first + 1, first + 2});
     scene.mesh.material.push_back(0);
 }
-
-class Random {
-public:
-    explicit Random(std::uint32_t seed) : engine_(seed) {}
-    float uniform(float lo, float hi) {
-        return lo + (hi - lo) * static_cast<float>(engine_() >> 8) * 0x1p-24f;
-    }
-    Vec3 point(float lo, float hi) {
-        const float x = uniform(lo, hi), y = uniform(lo, hi), z = uniform(lo, hi);
-        return {x, y, z};
-    }
-
-private:
-    std::mt19937 engine_;
-};
 
 // One triangle in eight is a long needle, the others are small and lie among them: most needles are split,
 // and often.

@@ -10,7 +10,7 @@
 namespace ctpbench {
 namespace {
 
-using State = Finding::State;
+using State = Diagnosis::State;
 using nlohmann::json;
 
 json quiet_machine() {
@@ -26,14 +26,15 @@ json quiet_machine() {
             {"steal_share_since_boot", 0.0}};
 }
 
-Finding finding(const std::vector<Finding>& all, const std::string& what) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Finding& f) { return f.what == what; });
+Diagnosis diagnosis(const std::vector<Diagnosis>& all, const std::string& what) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Diagnosis& f) { return f.what == what; });
     EXPECT_NE(found, all.end()) << what;
-    return found == all.end() ? Finding{} : *found;
+    return found == all.end() ? Diagnosis{} : *found;
 }
 
 TEST(Health, OfAQuietMachineIsGood) {
-    for (const Finding& f : examine_machine(quiet_machine())) EXPECT_EQ(f.state, State::ok) << f.what;
+    for (const Diagnosis& f : examine_machine(quiet_machine())) EXPECT_EQ(f.state, State::ok) << f.what;
 }
 
 TEST(Health, NamesWhatDisturbsMeasurementsAndTheRemedy) {
@@ -52,7 +53,7 @@ TEST(Health, NamesWhatDisturbsMeasurementsAndTheRemedy) {
     for (const auto& c : cases) {
         json machine = quiet_machine();
         machine[c.key] = c.value;
-        for (const Finding& f : examine_machine(machine)) {
+        for (const Diagnosis& f : examine_machine(machine)) {
             EXPECT_EQ(f.state, f.what == c.what ? State::warning : State::ok) << c.what << ": " << f.what;
             if (f.what == c.what) {
                 EXPECT_NE(f.remedy.find(c.remedy), std::string::npos) << f.remedy;
@@ -61,10 +62,10 @@ TEST(Health, NamesWhatDisturbsMeasurementsAndTheRemedy) {
     }
     json machine = quiet_machine();
     machine["cgroup_cpu_max"] = "400000 100000";  // as many as there are
-    EXPECT_EQ(finding(examine_machine(machine), "cpu quota").state, State::ok);
+    EXPECT_EQ(diagnosis(examine_machine(machine), "cpu quota").state, State::ok);
     machine["governor"] = "", machine["load_1min"] = nullptr;  // not to be read
-    EXPECT_EQ(finding(examine_machine(machine), "governor").state, State::ok);
-    EXPECT_EQ(finding(examine_machine(machine), "load").state, State::ok);
+    EXPECT_EQ(diagnosis(examine_machine(machine), "governor").state, State::ok);
+    EXPECT_EQ(diagnosis(examine_machine(machine), "load").state, State::ok);
 }
 
 TEST(Health, UnderstandsWhatIsWrittenOfThisMachineAndBuild) {
@@ -79,24 +80,24 @@ TEST(Health, OfABuild) {
                   {"git_commit", "0123456789abcdef"},
                   {"git_dirty", false},
                   {"embree", "3.13.5"}};
-    for (const Finding& f : examine_build(build)) EXPECT_EQ(f.state, State::ok) << f.what;
+    for (const Diagnosis& f : examine_build(build)) EXPECT_EQ(f.state, State::ok) << f.what;
     build["build_type"] = "Debug", build["git_dirty"] = true, build["embree"] = "";
-    EXPECT_EQ(finding(examine_build(build), "build type").state, State::warning);
-    EXPECT_EQ(finding(examine_build(build), "git").state, State::warning);
-    EXPECT_EQ(finding(examine_build(build), "Embree").state, State::missing);
+    EXPECT_EQ(diagnosis(examine_build(build), "build type").state, State::warning);
+    EXPECT_EQ(diagnosis(examine_build(build), "git").state, State::warning);
+    EXPECT_EQ(diagnosis(examine_build(build), "Embree").state, State::missing);
     EXPECT_EQ(exit_code_of(examine_build(build)), ExitCode::ok);  // it runs without
 }
 
 TEST(Health, ALineEachAndTheFirstFailureIsTheExitCode) {
-    const std::vector<Finding> findings = {
+    const std::vector<Diagnosis> diagnoses = {
         {State::ok, "a", "fine"},
         {State::missing, "longer", "gone", "fetch it", ExitCode::scene_missing},
         {State::missing, "c", "gone", "", ExitCode::output}};
-    EXPECT_EQ(findings_text(findings),
+    EXPECT_EQ(diagnoses_text(diagnoses),
               "ok       a       fine\n"
               "missing  longer  gone: fetch it\n"
               "missing  c       gone\n");
-    EXPECT_EQ(exit_code_of(findings), ExitCode::scene_missing);
+    EXPECT_EQ(exit_code_of(diagnoses), ExitCode::scene_missing);
 }
 
 }  // namespace
