@@ -9,14 +9,14 @@ namespace {
 
 // A difference may be to either side, so each counts half of the error; sameness is two tests of which both
 // must hold.
-Claims claims(const RatioDistribution& ratio, std::size_t rounds, double least) {
+Claims claims(const RatioDistribution& ratio, double band, std::size_t rounds, double least) {
     Claims c;
     c.rounds = rounds;
     if (rounds < kLeastRounds) return c;
     const auto p = [&](double probability) { return std::clamp(probability, least, 1.0); };
-    c.slower = std::min(1.0, 2.0 * p(1.0 - ratio.below(kBand)));
-    c.faster = std::min(1.0, 2.0 * p(ratio.up_to(1.0 / kBand)));
-    c.same = std::max(p(ratio.up_to(kBand)), p(1.0 - ratio.below(1.0 / kBand)));
+    c.slower = std::min(1.0, 2.0 * p(1.0 - ratio.below(band)));
+    c.faster = std::min(1.0, 2.0 * p(ratio.up_to(1.0 / band)));
+    c.same = std::max(p(ratio.up_to(band)), p(1.0 - ratio.below(1.0 / band)));
     return c;
 }
 
@@ -44,13 +44,13 @@ const char* name_of(Finding finding) {
 }
 
 Claims claims_of(const RatioDistribution& ratio, std::size_t rounds, std::size_t other_rounds) {
-    return claims(ratio, std::min(rounds, other_rounds), least_p(rounds, other_rounds));
+    return claims(ratio, kRunBand, std::min(rounds, other_rounds), least_p(rounds, other_rounds));
 }
 
 Claims claims_of(const std::vector<double>& ratios) {
     if (ratios.empty()) return {};
     const MedianDistribution median(ratios), one(std::vector<double>{1.0});
-    return claims(RatioDistribution(median, one), ratios.size(), least_p(ratios.size()));
+    return claims(RatioDistribution(median, one), kBand, ratios.size(), least_p(ratios.size()));
 }
 
 double claim_below(const RatioDistribution& ratio, double limit, std::size_t rounds,
