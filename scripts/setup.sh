@@ -52,6 +52,11 @@ install_prerequisites() {
   install_packages "${packages[@]}" 'libembree4-dev|libembree-dev'
 }
 
+# For the presets asan, tsan and fuzz: the compiler, its sanitizers, and what names the lines in their reports.
+install_clang() {
+  install_packages clang libclang-rt-dev llvm
+}
+
 # build PRESET [TARGET...]
 build() {
   local preset=$1 log

@@ -47,13 +47,16 @@ struct TypedLeaves {
         CTP_INLINE const void* first_entry(const BvhNode& leaf) const {
             if constexpr (!kSelected)
                 return first_elements[leaf.type()] + std::size_t{leaf.first} * size_of(Types{}, leaf.type());
-            const void* first = nodes;
+            // Sums of integers: this is asked of every array, also of those that the leaf has no element in.
+            std::uintptr_t first = 0;
             for_each_type(Types{}, [&](auto tag) {
                 using T = typename decltype(tag)::type;
-                const auto* element = arrays.template of<T>().elements + leaf.first;
+                const auto* elements = arrays.template of<T>().elements;
+                const std::uintptr_t element =
+                    reinterpret_cast<std::uintptr_t>(elements) + std::size_t{leaf.first} * sizeof *elements;
                 first = leaf.type() == index_of<T, Types> ? element : first;
             });
-            return first;
+            return reinterpret_cast<const void*>(first);
         }
     };
 

@@ -92,7 +92,7 @@ public:
                                       std::to_string(first.line) + "; remove one of the two");
             document_.forget_below(pointer_);
         }
-        return true;
+        return error_count_ < JsonDocument::max_errors;
     }
 
     bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& ex) override {
@@ -175,7 +175,7 @@ private:
     }
 
     void add_error(std::size_t offset, const std::string& message) {
-        if (++error_count_ > JsonDocument::max_errors) return;
+        ++error_count_;
         if (!errors_.empty()) errors_ += '\n';
         errors_ += error_line(place_in_text(text_, offset, document_.file_), message);
     }

@@ -102,8 +102,9 @@ TEST_F(LoadScene, MovesARecipeToItsOrigin) {
     write("one/r.json", scene_text(R"("recipe": {"name": "smoke", "origin": [10000, 0, -5]})"));
     const Scene there = load();
     ASSERT_EQ(here.mesh.positions.size(), there.mesh.positions.size());
+    const Vec3 origin{10000.0f, 0.0f, -5.0f};
     for (std::size_t i = 0; i < here.mesh.positions.size(); ++i)
-        ASSERT_EQ(there.mesh.positions[i], here.mesh.positions[i] + Vec3(10000.0f, 0.0f, -5.0f)) << i;
+        ASSERT_EQ(there.mesh.positions[i], here.mesh.positions[i] + origin) << i;
     EXPECT_NE(here.content_hash, there.content_hash);
     EXPECT_NEAR(there.camera.eye.x, here.camera.eye.x + 10000.0f, 0.01f);  // which frames the scene
 }

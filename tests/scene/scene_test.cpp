@@ -16,7 +16,7 @@ Scene sample() {
     scene.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {99, 99, 99}};  // no triangle uses the last
     scene.mesh.triangles = {{0, 1, 2}};
     scene.mesh.material = {0};
-    scene.materials = {{"grey", {0.5f, 0.5f, 0.5f}}};
+    scene.materials = {{"grey", {{0.5f, 0.5f, 0.5f}}}};
     return scene;
 }
 
