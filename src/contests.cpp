@@ -52,8 +52,10 @@ void run_rounds(const RunContext& run, Contest& contest, Entrants& entrants) {
     double seconds = 0.0;
     std::string reason;
     for (std::uint32_t round = 0; reason.empty(); ++round) {
-        run.progress.step("round " + std::to_string(round + 1) + " of " + std::to_string(config.rounds),
-                          kVerified + (1.0 - kVerified) * rule.done(round, seconds), Work::round);
+        const bool counted = round < config.rounds;  // else it goes on until the noise is as asked for
+        run.progress.step(
+            "round " + std::to_string(round + 1) + (counted ? " of " + std::to_string(config.rounds) : ""),
+            kVerified + (1.0 - kVerified) * rule.done(round, seconds), Work::round);
         seconds += seconds_of(
             [&] { run.rows.append(run.results, contest.round(round, entrants, run.results, interrupted)); });
         stop_if_interrupted();

@@ -46,10 +46,7 @@ private:
 
 // By how much each side of the picture is divided.
 std::uint32_t step_of(const Config& config, const std::vector<Cell>& cells, int threads) {
-    const bool on_cuda = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
-        return cell.contender && cell.contender->backend == "cuda";
-    });
-    if (on_cuda) return 1;  // a device that is not full takes as long
+    if (any_on_cuda(cells)) return 1;  // a device that is not full takes as long
     const double pixels = double(config.width) * config.height;
     const double rays = config.study == Study::stability ? config.stress_rays
                         : config.batch_rays == 0         ? pixels

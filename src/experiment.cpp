@@ -50,10 +50,7 @@ RunRecord record_of(const Config& config, const std::vector<Cell>& cells, const 
     record.run_id = run_id_of(config), record.command = options.command;
     record.shard = options.shard, record.isa = options.isa, record.threads = threads;
     record.workloads = plan(config, cells, options.isa, threads);
-    const bool on_cuda = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
-        return cell.contender && cell.contender->backend == "cuda";
-    });
-    if (on_cuda) record.device = use_cuda_device(options.device);
+    if (any_on_cuda(cells)) record.device = use_cuda_device(options.device);
     return record;
 }
 

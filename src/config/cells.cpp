@@ -166,6 +166,11 @@ std::vector<Cell> filter(const std::vector<Cell>& cells, std::string_view part) 
     return kept;
 }
 
+bool any_on_cuda(const std::vector<Cell>& cells) {
+    return std::any_of(cells.begin(), cells.end(),
+                       [](const Cell& cell) { return cell.contender && cell.contender->backend == "cuda"; });
+}
+
 std::vector<WorkloadCells> group_by_workload(const std::vector<Cell>& cells) {
     std::vector<WorkloadCells> groups;
     for (const Cell& cell : cells) {

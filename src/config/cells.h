@@ -102,6 +102,9 @@ bool matches(const Cell& cell, const Axes& pattern, Study study);
 // The cells whose name contains `part`, letter for letter. Throws Error(usage) if none does.
 std::vector<Cell> filter(const std::vector<Cell>& cells, std::string_view part);
 
+// Whether a CUDA device is to measure any of them.
+bool any_on_cuda(const std::vector<Cell>& cells);
+
 // Workloads in order of first appearance.
 std::vector<WorkloadCells> group_by_workload(const std::vector<Cell>& cells);
 
