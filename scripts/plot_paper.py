@@ -45,8 +45,10 @@ def figure4(folder):
                 said.append(f"{strategy} {short(total)} s, of which shade {short(shade)}")
             panel.set_title(f"{title}\n{backend}")
             panel.set_xlabel("seconds")
+            panel.use_sticky_edges = False  # a bar of width 0 at the end would take the margin away
             panel.margins(x=0.28)
             panel.set_xlim(left=0)
+            panel.locator_params(axis="x", nbins=4)  # numbers of four digits must not touch
             panel.invert_yaxis()
             chart.words.append(f"{title}, {backend}: {'; '.join(said)}." if said else "")
     chart.legend(KERNELS, looks)
